@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/reference/set_point.h"
+
+namespace aqc {
+
+/// e_q carries the factor 1/2 of Lee (2010), as in the thesis's flights; its text omits it.
+constexpr double kAttitudeErrorScale = 0.5;
+
+struct AttitudeErrors {
+  Eigen::Vector3d angle;  ///< e_q = 1/2 (R_d' R - R' R_d)^vee, in B [rad]
+  Eigen::Vector3d rate;   ///< de_q = omega - R' R_d omega_d, in B [rad/s]
+};
+
+/// Limits that keep assumption 2 of the thesis, |phi_d|, |theta_d| < pi/2, whatever force a law asks
+/// for. Both raise the vertical part of the force for the attitude's sake only.
+struct TiltLimits {
+  double max_tilt;  ///< of the desired attitude [rad], in (0, pi/2)
+  /// Least vertical force that decides the attitude [N], > 0. A law that asks for a dive asks for a
+  /// small or downward force, whose direction is no attitude to fly.
+  double min_lift;
+};
+
+/// The attitude R_d whose z axis points along the commanded force (thesis eq. int_co).
+///
+/// `force` is tau_p in W [N], `yaw` psi_d [rad]. Always a rotation, whatever the force: one that is
+/// zero or not finite gives the level attitude at that yaw.
+Eigen::Matrix3d desiredAttitude(const Eigen::Vector3d& force, double yaw,
+                                const TiltLimits& limits) noexcept;
+
+/// Errors of `state` against R_d, which turns about the vertical at `yaw_rate` [rad/s].
+/// The thesis prints R_d' R omega_d for the second term of de_q, which is not in B.
+AttitudeErrors attitudeErrors(const State& state, const Eigen::Matrix3d& desired,
+                              double yaw_rate) noexcept;
+
+}  // namespace aqc

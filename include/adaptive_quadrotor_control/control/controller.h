@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/reference/set_point.h"
+
+namespace aqc {
+
+/// Most adaptive quantities one controller may report.
+constexpr int kMaxAdaptive = 64;
+using AdaptiveValues = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxAdaptive, 1>;
+
+/// What a control law saw and decided in its last step.
+struct Telemetry {
+  Eigen::Vector3d position_error = Eigen::Vector3d::Zero();    ///< e_p = p - p_d, in W [m]
+  Eigen::Vector3d velocity_error = Eigen::Vector3d::Zero();    ///< de_p, in W [m/s]
+  Eigen::Vector3d attitude_error = Eigen::Vector3d::Zero();    ///< e_q, in B [rad]
+  Eigen::Vector3d rate_error = Eigen::Vector3d::Zero();        ///< de_q, in B [rad/s]
+  Eigen::Vector3d sliding_position = Eigen::Vector3d::Zero();  ///< s_p [m/s]; 0 without a surface
+  Eigen::Vector3d sliding_attitude = Eigen::Vector3d::Zero();  ///< s_q [rad/s]; 0 without a surface
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();             ///< tau_p, in W [N]
+  Eigen::Quaterniond desired_attitude = Eigen::Quaterniond::Identity();  ///< R_d
+  /// m-hat [kg]; not-a-number when the law estimates no mass.
+  double mass_estimate = std::numeric_limits<double>::quiet_NaN();
+  /// In the order of Controller::adaptiveNames().
+  AdaptiveValues adaptive;
+};
+
+/// A control law: from where the vehicle is and should be to what the rotors should do together.
+///
+/// Value-like: all state is inside, time comes in as `dt`, the same calls give the same bits.
+/// update() and reset() neither allocate, block, log nor throw.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+
+  /// One step of `dt` seconds (> 0): the wrench to hold until the next step. `state` and
+  /// `set_point` must be valid().
+  virtual Wrench update(const State& state, const SetPoint& set_point, double dt) noexcept = 0;
+
+  /// Adaptive quantities back to their initial values.
+  virtual void reset() noexcept = 0;
+
+  /// Of the last update().
+  virtual const Telemetry& telemetry() const noexcept = 0;
+
+  /// Names of Telemetry::adaptive with their symbols, e.g. "K_p0"; may allocate.
+  virtual std::vector<std::string> adaptiveNames() const = 0;
+};
+
+}  // namespace aqc

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "adaptive_quadrotor_control/control/controller.h"
+#include "adaptive_quadrotor_control/model/rotor_allocation.h"
+
+namespace aqc {
+
+/// From state and set point to rotor speeds: a control law and the allocation behind it. This is
+/// the whole control step; the nodelet, the offline flight and the benchmark all run this class.
+class FlightController {
+ public:
+  FlightController(const Vehicle& vehicle, std::unique_ptr<Controller> law);
+
+  /// One step of `dt` seconds (> 0). Without a set point (null) the rotors stand still and the
+  /// adaptive quantities are put back to their initial values. Allocates nothing, never throws.
+  const Allocation& step(const State& state, const SetPoint* set_point, double dt) noexcept;
+
+  /// Of the last step().
+  const Allocation& allocation() const noexcept { return allocation_; }
+  const Controller& law() const noexcept { return *law_; }
+
+ private:
+  RotorAllocation rotors_;
+  std::unique_ptr<Controller> law_;
+  Allocation allocation_;
+};
+
+}  // namespace aqc

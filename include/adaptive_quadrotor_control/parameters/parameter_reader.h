@@ -1,0 +1,97 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Core>
+#include <limits>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace aqc {
+
+/// A parameter that is missing, unknown, mistyped or out of range. what() names it in full, with
+/// its value and what is allowed.
+struct ParameterError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The numbers that a parameter may take. Not-a-number and infinities are never allowed.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool exclusive_min = false;
+
+  static Range any() { return {}; }
+  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
+  static Range nonNegative() { return {0.0, std::numeric_limits<double>::infinity(), false}; }
+  static Range between(double low, double high) { return {low, high, false}; }
+  /// (0, high]
+  static Range positiveUpTo(double high) { return {0.0, high, true}; }
+
+  bool contains(double value) const;
+  /// "a finite number > 0", as an error message says it.
+  std::string text() const;
+};
+
+/// The one validated way from a parameter tree (a YAML file, or a ROS parameter namespace turned
+/// into the same tree) to typed values. Every getter throws ParameterError when the parameter is
+/// missing, of another type or out of range; finish() refuses names that nobody read.
+class ParameterReader {
+ public:
+  /// `name` is the prefix that errors print, e.g. "vehicle" or a file name. An empty name prints
+  /// the bare keys.
+  ParameterReader(YAML::Node tree, std::string name);
+
+  bool has(const std::string& key) const;
+  double number(const std::string& key, const Range& range) const;
+  double number(const std::string& key, const Range& range, double fallback) const;
+  int integer(const std::string& key, int min, int max) const;
+  bool flag(const std::string& key, bool fallback) const;
+  std::string text(const std::string& key) const;
+  std::string text(const std::string& key, const std::string& fallback) const;
+  /// One of `allowed`.
+  std::string choice(const std::string& key, const std::vector<std::string>& allowed) const;
+  /// `size` numbers, all in `range`; a size of 0 takes any count.
+  std::vector<double> numbers(const std::string& key, std::size_t size, const Range& range) const;
+  std::vector<std::string> texts(const std::string& key) const;
+  Eigen::Vector3d vector3(const std::string& key, const Range& range) const;
+  Eigen::Vector3d vector3(const std::string& key, const Range& range,
+                          const Eigen::Vector3d& fallback) const;
+  /// Symmetric positive definite: [xx, yy, zz] or [xx, yy, zz, xy, xz, yz].
+  Eigen::Matrix3d positiveDefinite(const std::string& key) const;
+
+  /// A nested map.
+  ParameterReader child(const std::string& key) const;
+  /// A list of maps.
+  std::vector<ParameterReader> children(const std::string& key) const;
+  /// The keys of this map in the file's order.
+  std::vector<std::string> keys() const;
+
+  /// The full name of a key, as errors print it.
+  std::string fullName(const std::string& key) const;
+  [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
+
+  /// Throws when the tree holds a name that no getter asked for, or one name twice. Call it on the
+  /// outermost reader, after everything is read.
+  void finish() const;
+
+ private:
+  using Names = std::set<std::string>;
+  ParameterReader(YAML::Node tree, std::string name, std::shared_ptr<Names> known);
+  YAML::Node find(const std::string& key) const;
+  YAML::Node require(const std::string& key, const std::string& what) const;
+  double toNumber(const YAML::Node& node, const std::string& full, const Range& range) const;
+
+  YAML::Node tree_;
+  std::string name_;
+  std::shared_ptr<Names> known_;  // shared with the children, so that finish() sees everything
+};
+
+/// Reads a YAML file whose top level is a map; throws ParameterError naming the file (and the line)
+/// when it cannot be read, is empty or is not YAML.
+YAML::Node loadYamlFile(const std::string& path);
+
+}  // namespace aqc

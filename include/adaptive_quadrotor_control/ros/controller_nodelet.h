@@ -1,0 +1,66 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
+
+#include <memory>
+#include <optional>
+
+#include "adaptive_quadrotor_control/control/flight_controller.h"
+#include "adaptive_quadrotor_control/model/time.h"
+#include "adaptive_quadrotor_control/reference/set_point_schedule.h"
+
+namespace aqc {
+
+/// The control law in ROS: a thin shell around FlightController.
+///
+/// In: `odometry`, `command/trajectory`, `command/pose`. Out: `command/motor_speed`, `~state`.
+/// Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller), `~rate` [Hz],
+/// `~trigger`. All callbacks come from one queue in one thread, so nothing is locked.
+///
+/// `~trigger: timer` runs the law at `~rate` by ROS time on the latest odometry; `odometry` runs
+/// it when odometry that is due arrives, which a lock-stepped simulation needs. Before the first
+/// good odometry and the first set point only zero speeds are published.
+class ControllerNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override;
+  void configure();
+  void connect();
+
+  void onOdometry(const nav_msgs::Odometry::ConstPtr& message);
+  void onTrajectory(const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& message);
+  void onPose(const geometry_msgs::PoseStamped::ConstPtr& message);
+  void onTimer(const ros::TimerEvent& event);
+
+  void accept(std::vector<TimedSetPoint> set_points, Nanoseconds now, const ros::Time& stamp);
+  void step(Nanoseconds now, double dt);
+  void publish();
+
+  std::unique_ptr<FlightController> controller_;
+  SetPointSchedule schedule_;
+  std::string law_name_;
+  std::vector<std::string> adaptive_names_;
+  Nanoseconds period_ = 0;
+  bool odometry_triggers_ = false;
+
+  std::optional<State> state_;          // of the last good odometry
+  Nanoseconds odometry_time_ = 0;       // its stamp
+  std::optional<Nanoseconds> last_step_;
+  bool flying_ = false;                 // a set point was active in the last step
+  SetPoint set_point_;
+  ros::Time trajectory_stamp_;
+  std::uint32_t dropped_odometry_ = 0;
+  std::uint32_t dropped_set_points_ = 0;
+
+  ros::Subscriber odometry_subscriber_;
+  ros::Subscriber trajectory_subscriber_;
+  ros::Subscriber pose_subscriber_;
+  ros::Publisher motor_publisher_;
+  ros::Publisher state_publisher_;
+  ros::Timer timer_;
+};
+
+}  // namespace aqc

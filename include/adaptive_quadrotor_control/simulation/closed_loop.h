@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "adaptive_quadrotor_control/control/flight_controller.h"
+#include "adaptive_quadrotor_control/simulation/flight_log.h"
+#include "adaptive_quadrotor_control/simulation/scenario.h"
+
+namespace aqc {
+
+/// A scenario flown without ROS: plant and controller in one loop, the controller at its rate with
+/// the state of this very instant, the rotor speeds held until its next step.
+class ClosedLoop {
+ public:
+  ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<Controller> law);
+
+  bool done() const noexcept { return plant_.now() >= duration_; }
+  /// One control step, then the plant until the next one.
+  void advance();
+
+  /// What the last advance() started from and decided.
+  FlightSample sample() const;
+  const TimedPlant& plant() const noexcept { return plant_; }
+  const FlightController& controller() const noexcept { return controller_; }
+
+ private:
+  TimedPlant plant_;
+  FlightController controller_;
+  SetPointSchedule schedule_;
+  Nanoseconds period_;
+  Nanoseconds duration_;
+  FlightSample last_;
+};
+
+/// Flies the scenario to its end. `progress` (may be empty) is told the share flown, 0 to 1.
+FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::string& controller_name,
+              std::unique_ptr<Controller> law, const std::function<void(double)>& progress);
+
+}  // namespace aqc

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "adaptive_quadrotor_control/model/vehicle.h"
+#include "adaptive_quadrotor_control/simulation/payload.h"
+
+namespace aqc {
+
+/// Why a flight ended on the ground.
+enum class Crash { kNone, kHardImpact, kTiltedContact, kRotorStrike };
+const char* toString(Crash crash);
+
+/// Force and moment about the centre of mass.
+struct ForceMoment {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< in W [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< in B [N m]
+};
+
+/// Contact of a vehicle and its payload with the flat ground z = 0, at points: four feet, the hub
+/// of every rotor and the payload's four lower corners. Each point pushes back as a damped spring
+/// along the normal (never pulls) and by friction, viscous up to the Coulomb limit.
+class Contact {
+ public:
+  explicit Contact(const Vehicle& vehicle);
+
+  void setPayload(const Payload* payload);
+
+  /// Distance from the origin of B within which all points lie [m].
+  double reach() const noexcept { return reach_; }
+
+  /// Contact force on a body whose origin is at `position` (W), with rotation R_B^W, velocity of
+  /// the origin `velocity` (W) and `body_rate` (B); the moment is about `centre_of_mass` (in B).
+  ForceMoment force(const Eigen::Vector3d& position, const Eigen::Matrix3d& rotation,
+                    const Eigen::Vector3d& velocity, const Eigen::Vector3d& body_rate,
+                    const Eigen::Vector3d& centre_of_mass) const noexcept;
+
+  /// Whether any point touches, and whether that is a crash: a rotor that touches, a contact
+  /// faster than kCrashSpeed, or one while tilted by more than kCrashTilt.
+  struct Judgement {
+    bool touching = false;
+    Crash crash = Crash::kNone;
+  };
+  Judgement judge(const Eigen::Vector3d& position, const Eigen::Matrix3d& rotation,
+                  const Eigen::Vector3d& velocity, const Eigen::Vector3d& body_rate) const noexcept;
+
+  static constexpr double kCrashSpeed = 3.0;  ///< [m/s], a fall from 0.46 m
+  static constexpr double kCrashTilt = 0.8;   ///< [rad], 46 deg
+
+ private:
+  static constexpr int kFeet = 4;
+  static constexpr int kCorners = 4;
+  std::array<Eigen::Vector3d, kFeet + kMaxRotors + kCorners> points_;  // in B; feet, hubs, corners
+  int rotor_count_;
+  int point_count_;
+  double reach_ = 0.0;
+  double stiffness_;  // a point [N/m]
+  double damping_;    // a point, along the normal and across it [N s/m]
+};
+
+}  // namespace aqc

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/model/vehicle.h"
+#include "adaptive_quadrotor_control/simulation/contact.h"
+#include "adaptive_quadrotor_control/simulation/payload.h"
+
+namespace aqc {
+
+/// A multirotor with an optional payload, as RotorS models it: Newton-Euler rigid body integrated
+/// by RK4, first-order rotors, rotor drag and rolling moment, wind, ground contact.
+///
+/// Rotor speeds follow their command with separate time constants up and down (solved exactly for
+/// a command held over the step) and stay in [0, omega_max]. The payload is a second rigid body:
+/// mass, centre of mass and inertia of the whole change, momentum does not.
+///
+/// Deterministic and free of clocks; step() allocates nothing.
+class Plant {
+ public:
+  Plant(const Vehicle& vehicle, const State& start);
+
+  /// Advances by `dt` seconds (> 0, about 1e-3) under commanded rotor speeds [rad/s], held over
+  /// the step. A command entry that is not finite counts as 0, others are clamped. After a crash the
+  /// rotors run down whatever is commanded.
+  void step(const RotorArray& command, double dt) noexcept;
+
+  /// Motion of the body frame B (base_link), not of the centre of mass.
+  const State& state() const noexcept { return state_; }
+  const RotorArray& rotorSpeeds() const noexcept { return speeds_; }
+  /// What an accelerometer at the origin of B reads [m/s^2], in B, at the start of the last step.
+  const Eigen::Vector3d& specificForce() const noexcept { return specific_force_; }
+  /// Whether anything touches the ground.
+  bool touching() const noexcept { return touching_; }
+  /// The first crash, or Crash::kNone.
+  Crash crash() const noexcept { return crash_; }
+
+  /// Fixes a payload, at rest in W until now, to the vehicle; total momentum is kept. Throws
+  /// std::logic_error when one is attached already.
+  void attach(const Payload& payload);
+  /// Lets go of the payload; the vehicle's own motion goes on. Throws std::logic_error without one.
+  void detach();
+  const std::optional<Payload>& payload() const noexcept { return payload_; }
+
+  /// Velocity of the air in W [m/s].
+  void setWind(const Eigen::Vector3d& wind) noexcept { wind_ = wind; }
+  /// A force in W [N] and a moment in B [N m] at the centre of mass, held until changed.
+  void setDisturbance(const ForceMoment& disturbance) noexcept { disturbance_ = disturbance; }
+
+  double mass() const noexcept { return mass_; }                              ///< total [kg]
+  const Eigen::Vector3d& centreOfMass() const noexcept { return centre_; }    ///< in B [m]
+  const Eigen::Matrix3d& inertia() const noexcept { return inertia_; }        ///< about it, in B
+  /// Of the whole, in W [kg m/s].
+  Eigen::Vector3d linearMomentum() const;
+  /// Of the whole about `point` (W), in W [kg m^2/s].
+  Eigen::Vector3d angularMomentum(const Eigen::Vector3d& point) const;
+
+ private:
+  // What RK4 integrates: motion of the centre of mass.
+  struct Motion {
+    Eigen::Vector3d position;
+    Eigen::Vector3d velocity;
+    Eigen::Vector4d attitude;  // quaternion coefficients x, y, z, w
+    Eigen::Vector3d body_rate;
+  };
+  // Everything the rotors' speeds alone decide, at one instant.
+  struct RotorLoads {
+    double thrust = 0.0;
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // about the centre of mass
+    double speed_sum = 0.0;                            // S = sum |omega_i|
+    Eigen::Vector2d speed_moment = Eigen::Vector2d::Zero();  // sum |omega_i| r_i
+    double speed_inertia = 0.0;                        // sum |omega_i| |r_i|^2
+  };
+
+  void updateMassProperties();
+  Motion motion() const;
+  void setMotion(const Motion& motion);
+  RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
+  ForceMoment aerodynamics(const RotorLoads& rotors, const Eigen::Vector3d& air_velocity,
+                           const Eigen::Vector3d& body_rate) const noexcept;
+  Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
+
+  Vehicle vehicle_;
+  std::optional<Payload> payload_;
+  Contact contact_;
+  double mass_;
+  Eigen::Vector3d centre_;
+  Eigen::Matrix3d inertia_;
+  Eigen::Matrix3d inverse_inertia_;
+  std::array<Eigen::Vector3d, kMaxRotors> hubs_;  // from the centre of mass, in B
+
+  State state_;
+  RotorArray speeds_;
+  Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();
+  ForceMoment disturbance_;
+  bool near_ground_ = true;
+  bool touching_ = false;
+  Crash crash_ = Crash::kNone;
+  double step_ = 0.0;           // of the decay factors [s]
+  double decay_up_ = 1.0;       // exp(-dt / (2 tau_up))
+  double decay_down_ = 1.0;     // exp(-dt / (2 tau_down))
+};
+
+}  // namespace aqc

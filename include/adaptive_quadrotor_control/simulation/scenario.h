@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "adaptive_quadrotor_control/reference/set_point_schedule.h"
+#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+
+namespace aqc {
+
+/// Root-mean-square errors of a flight.
+struct RmsErrors {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d attitude = Eigen::Vector3d::Zero();  ///< of e_q: roll, pitch, yaw [deg]
+};
+
+/// What is flown: the whole of a config/scenario/*.yaml file.
+struct Scenario {
+  std::string name;
+  std::string title;
+  std::string vehicle;                      ///< name of a vehicle file
+  std::vector<std::string> controllers;     ///< names of controller files, flown by default
+  Nanoseconds duration = 0;
+  Nanoseconds control_period = 0;           ///< a whole number of plant steps
+  Nanoseconds plant_step = 0;
+  State start;
+  std::vector<TimedSetPoint> set_points;    ///< by time
+  std::vector<PlantEvent> events;           ///< by time
+  Nanoseconds metrics_from = 0;             ///< RMS errors count from here to the end
+  std::map<std::string, RmsErrors> published;  ///< by controller
+
+  /// When the payload last changed, or 0.
+  Nanoseconds lastPayloadChange() const;
+};
+
+/// Reads and validates a scenario. Throws ParameterError.
+Scenario readScenario(const ParameterReader& reader);
+Scenario loadScenario(const std::string& path);
+
+}  // namespace aqc

@@ -1,0 +1,30 @@
+#include "adaptive_quadrotor_control/control/cascaded_controller.h"
+
+#include <cmath>
+
+namespace aqc {
+
+CascadedController::CascadedController(const ParameterReader& reader)
+    : limits_{reader.number("max_tilt_deg", Range::positiveUpTo(89.0)) * M_PI / 180.0,
+              reader.number("min_lift", Range::positive())} {}
+
+Wrench CascadedController::update(const State& state, const SetPoint& set_point,
+                                  double dt) noexcept {
+  telemetry_.position_error = state.position - set_point.position;
+  telemetry_.velocity_error = state.velocity - set_point.velocity;
+  telemetry_.force = force(set_point, dt);
+
+  const Eigen::Matrix3d desired = desiredAttitude(telemetry_.force, set_point.yaw, limits_);
+  const AttitudeErrors errors = attitudeErrors(state, desired, set_point.yaw_rate);
+  telemetry_.desired_attitude = Eigen::Quaterniond(desired);
+  telemetry_.attitude_error = errors.angle;
+  telemetry_.rate_error = errors.rate;
+
+  Wrench wrench;
+  wrench.thrust = telemetry_.force.dot(state.attitude * Eigen::Vector3d::UnitZ());
+  wrench.moment = moment(state, errors, dt);
+  report(telemetry_);
+  return wrench;
+}
+
+}  // namespace aqc

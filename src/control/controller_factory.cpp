@@ -1,0 +1,50 @@
+#include "adaptive_quadrotor_control/control/controller_factory.h"
+
+#include <map>
+
+#include "adaptive_quadrotor_control/control/asmc.h"
+#include "adaptive_quadrotor_control/control/geometric.h"
+#include "adaptive_quadrotor_control/control/smc.h"
+
+namespace aqc {
+namespace {
+
+using Maker = std::unique_ptr<Controller> (*)(const ParameterReader&, const Vehicle&);
+
+// To add a law: write its class in a file of its own and add its line here.
+const std::map<std::string, Maker>& makers() {
+  static const std::map<std::string, Maker> table = {
+      {"asmc", [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<Controller> {
+         return std::make_unique<Asmc>(reader);
+       }},
+      {"geometric", [](const ParameterReader& reader,
+                       const Vehicle& vehicle) -> std::unique_ptr<Controller> {
+         return std::make_unique<Geometric>(reader, vehicle);
+       }},
+      {"smc", [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<Controller> {
+         return std::make_unique<Smc>(reader);
+       }},
+  };
+  return table;
+}
+
+}  // namespace
+
+std::vector<std::string> controllerNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : makers()) names.push_back(entry.first);
+  return names;
+}
+
+std::unique_ptr<Controller> makeController(const ParameterReader& reader, const Vehicle& vehicle) {
+  return makers().at(reader.choice("law", controllerNames()))(reader, vehicle);
+}
+
+std::unique_ptr<Controller> loadController(const std::string& path, const Vehicle& vehicle) {
+  const ParameterReader reader(loadYamlFile(path), path);
+  std::unique_ptr<Controller> controller = makeController(reader, vehicle);
+  reader.finish();
+  return controller;
+}
+
+}  // namespace aqc

@@ -1,0 +1,21 @@
+#include "adaptive_quadrotor_control/control/flight_controller.h"
+
+#include <utility>
+
+namespace aqc {
+
+FlightController::FlightController(const Vehicle& vehicle, std::unique_ptr<Controller> law)
+    : rotors_(vehicle), law_(std::move(law)), allocation_(rotors_.allocate({})) {}
+
+const Allocation& FlightController::step(const State& state, const SetPoint* set_point,
+                                         double dt) noexcept {
+  if (set_point != nullptr) {
+    allocation_ = rotors_.allocate(law_->update(state, *set_point, dt));
+  } else {
+    law_->reset();
+    allocation_ = rotors_.allocate({});
+  }
+  return allocation_;
+}
+
+}  // namespace aqc

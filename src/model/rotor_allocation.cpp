@@ -1,0 +1,108 @@
+#include "adaptive_quadrotor_control/model/rotor_allocation.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace aqc {
+namespace {
+
+// An interval of numbers, narrowed until it may be empty.
+struct Interval {
+  double low;
+  double high;
+  bool empty() const { return low > high; }
+};
+
+// All s in `interval` for which every entry of base + s * direction lies in [0, limit].
+Interval narrow(Interval interval, const RotorArray& base, const RotorArray& direction,
+                double limit) {
+  const double slack = 1e-9 * limit;  // a request exactly at a limit is met, not scaled
+  for (Eigen::Index i = 0; i < base.size(); ++i) {
+    const double d = direction[i];
+    if (std::abs(d) < 1e-12 * limit) {
+      if (base[i] < -slack || base[i] > limit + slack) return {1.0, 0.0};
+      continue;
+    }
+    const double at_zero = (-slack - base[i]) / d;
+    const double at_limit = (limit + slack - base[i]) / d;
+    interval.low = std::max(interval.low, std::min(at_zero, at_limit));
+    interval.high = std::min(interval.high, std::max(at_zero, at_limit));
+  }
+  return interval;
+}
+
+}  // namespace
+
+RotorAllocation::RotorAllocation(const Vehicle& vehicle)
+    : max_squared_speed_(vehicle.max_rotor_speed * vehicle.max_rotor_speed) {
+  const auto count = static_cast<Eigen::Index>(vehicle.rotors.size());
+  forward_.resize(4, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Rotor& rotor = vehicle.rotors[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d hub = rotor.position();
+    forward_.col(i) << 1.0, hub.y(), -hub.x(), -rotor.direction * vehicle.moment_constant;
+  }
+  forward_ *= vehicle.force_constant;
+  inverse_ = forward_.completeOrthogonalDecomposition().pseudoInverse();
+}
+
+bool RotorAllocation::wellPosed() const {
+  return ((forward_ * inverse_) - Eigen::Matrix4d::Identity()).norm() < 1e-9;
+}
+
+Wrench RotorAllocation::wrench(const RotorArray& speeds) const noexcept {
+  const Eigen::Vector4d u = forward_ * speeds.cwiseAbs2();
+  return {u[0], u.tail<3>()};
+}
+
+bool RotorAllocation::feasible(const RotorArray& squared) const noexcept {
+  return squared.minCoeff() >= 0.0 && squared.maxCoeff() <= max_squared_speed_;
+}
+
+void RotorAllocation::fit(const Wrench& request, RotorArray& squared) const noexcept {
+  const RotorArray lift = inverse_.col(0) * request.thrust;
+  const RotorArray tilt = inverse_.middleCols<2>(1) * request.moment.head<2>();
+  const RotorArray yaw = inverse_.col(3) * request.moment.z();
+
+  const Interval yaw_share = narrow({0.0, 1.0}, lift + tilt, yaw, max_squared_speed_);
+  if (!yaw_share.empty()) {
+    squared = lift + tilt + yaw_share.high * yaw;
+    return;
+  }
+  // No share of the yaw moment helps: move the thrust to where roll and pitch fit.
+  const Interval thrusts = narrow({-1e300, 1e300}, tilt, inverse_.col(0), max_squared_speed_);
+  if (!thrusts.empty()) {
+    squared = tilt + inverse_.col(0) * std::clamp(request.thrust, thrusts.low, thrusts.high);
+    return;
+  }
+  // Even alone they do not fit: half of full thrust leaves the most room for moments.
+  const double middle = 0.5 * max_squared_speed_ * forward_.row(0).sum();
+  const RotorArray base = inverse_.col(0) * middle;
+  const Interval tilt_share = narrow({0.0, 1.0}, base, tilt, max_squared_speed_);
+  squared = base + tilt_share.high * tilt;
+}
+
+Allocation RotorAllocation::allocate(const Wrench& request) const noexcept {
+  Allocation result;
+  result.requested = request;
+  RotorArray squared = RotorArray::Zero(inverse_.rows());
+  if (std::isfinite(request.thrust) && request.moment.allFinite()) {
+    squared.noalias() = inverse_.col(0) * request.thrust + inverse_.rightCols<3>() * request.moment;
+    result.saturated = !feasible(squared);
+    if (result.saturated) fit(request, squared);
+  } else {
+    result.saturated = true;
+  }
+  squared = squared.cwiseMax(0.0).cwiseMin(max_squared_speed_);
+  result.speeds = squared.cwiseSqrt();
+  if (result.saturated) {
+    const Eigen::Vector4d u = forward_ * squared;
+    result.achieved = {u[0], u.tail<3>()};
+  } else {
+    result.achieved = request;
+  }
+  return result;
+}
+
+}  // namespace aqc

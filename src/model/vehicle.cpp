@@ -1,0 +1,86 @@
+#include "adaptive_quadrotor_control/model/vehicle.h"
+
+#include <cmath>
+
+#include "adaptive_quadrotor_control/model/rotor_allocation.h"
+
+namespace aqc {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+std::vector<Rotor> readRotors(const ParameterReader& reader) {
+  const std::vector<double> angles =
+      reader.numbers("angles_deg", 0, Range::between(-360.0, 360.0));
+  if (angles.size() < 4 || angles.size() > kMaxRotors) {
+    reader.refuse("angles_deg", "lists " + std::to_string(angles.size()) +
+                                    " rotors; it must list 4 to " + std::to_string(kMaxRotors));
+  }
+  const std::vector<double> directions =
+      reader.numbers("directions", angles.size(), Range::between(-1.0, 1.0));
+  const double arm_length = reader.number("arm_length", Range::positiveUpTo(10.0));
+  std::vector<Rotor> rotors;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (std::abs(directions[i]) != 1.0) {
+      reader.refuse("directions", "must hold only 1 (counter-clockwise) and -1 (clockwise)");
+    }
+    rotors.push_back({angles[i] * kDegree, arm_length, static_cast<int>(directions[i])});
+  }
+  return rotors;
+}
+
+// A body's principal moments obey the triangle inequality; numbers that do not are a typing mistake.
+void checkInertia(const ParameterReader& reader, const Eigen::Matrix3d& inertia) {
+  const Eigen::Vector3d d = inertia.diagonal();
+  if (2.0 * d.maxCoeff() > d.sum() * (1.0 + 1e-9)) {
+    reader.refuse("inertia", "cannot belong to a rigid body: one moment exceeds the other two together");
+  }
+}
+
+}  // namespace
+
+Eigen::Vector2d Rotor::position() const {
+  return arm_length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+double Vehicle::maxThrust() const {
+  return static_cast<double>(rotors.size()) * force_constant * max_rotor_speed * max_rotor_speed;
+}
+
+Vehicle readVehicle(const ParameterReader& reader) {
+  Vehicle vehicle;
+  vehicle.name = reader.text("name");
+  vehicle.mass = reader.number("mass", Range::positive());
+  vehicle.inertia = reader.positiveDefinite("inertia");
+  checkInertia(reader, vehicle.inertia);
+
+  const ParameterReader rotors = reader.child("rotors");
+  vehicle.rotors = readRotors(rotors);
+  vehicle.force_constant = rotors.number("force_constant", Range::positive());
+  vehicle.moment_constant = rotors.number("moment_constant", Range::positive());
+  vehicle.max_rotor_speed = rotors.number("max_speed", Range::positive());
+  vehicle.time_constant_up = rotors.number("time_constant_up", Range::positiveUpTo(10.0));
+  vehicle.time_constant_down = rotors.number("time_constant_down", Range::positiveUpTo(10.0));
+  vehicle.drag_coefficient = rotors.number("drag_coefficient", Range::nonNegative());
+  vehicle.rolling_moment_coefficient =
+      rotors.number("rolling_moment_coefficient", Range::nonNegative());
+
+  const ParameterReader gear = reader.child("landing_gear");
+  vehicle.gear_height = gear.number("height", Range::positive());
+  vehicle.gear_radius = gear.number("radius", Range::positive());
+
+  if (!RotorAllocation(vehicle).wellPosed()) {
+    rotors.refuse("angles_deg",
+                  "and 'directions' cannot give thrust, roll, pitch and yaw independently");
+  }
+  return vehicle;
+}
+
+Vehicle loadVehicle(const std::string& path) {
+  const ParameterReader reader(loadYamlFile(path), path);
+  Vehicle vehicle = readVehicle(reader);
+  reader.finish();
+  return vehicle;
+}
+
+}  // namespace aqc

@@ -1,0 +1,56 @@
+#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aqc {
+
+ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
+                       std::unique_ptr<Controller> law)
+    : plant_(Plant(vehicle, scenario.start), scenario.plant_step),
+      controller_(vehicle, std::move(law)),
+      schedule_(scenario.set_points),
+      period_(scenario.control_period),
+      duration_(scenario.duration) {
+  for (const PlantEvent& event : scenario.events) plant_.schedule(event);
+}
+
+void ClosedLoop::advance() {
+  const SetPoint* set_point = schedule_.at(plant_.now());
+  last_.time = plant_.now();
+  last_.state = plant_.plant().state();
+  last_.flying = set_point != nullptr;
+  if (last_.flying) last_.set_point = *set_point;
+  last_.touching = plant_.plant().touching();
+  last_.payload_mass = plant_.plant().payload() ? plant_.plant().payload()->mass : 0.0;
+
+  const Allocation& allocation = controller_.step(last_.state, set_point, toSeconds(period_));
+  plant_.advance(allocation.speeds, std::min(plant_.now() + period_, duration_));
+}
+
+FlightSample ClosedLoop::sample() const {
+  FlightSample sample = last_;
+  sample.telemetry = controller_.law().telemetry();
+  sample.allocation = controller_.allocation();
+  return sample;
+}
+
+FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::string& controller_name,
+              std::unique_ptr<Controller> law, const std::function<void(double)>& progress) {
+  ClosedLoop loop(scenario, vehicle, std::move(law));
+  FlightLog log;
+  log.controller = controller_name;
+  log.adaptive_names = loop.controller().law().adaptiveNames();
+  while (!loop.done()) {
+    loop.advance();
+    log.samples.push_back(loop.sample());
+    if (progress) {
+      progress(static_cast<double>(loop.plant().now()) / static_cast<double>(scenario.duration));
+    }
+  }
+  log.crash_time = loop.plant().crashTime();
+  if (log.crash_time) log.crash_reason = toString(loop.plant().plant().crash());
+  return log;
+}
+
+}  // namespace aqc

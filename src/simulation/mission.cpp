@@ -1,0 +1,158 @@
+#include "adaptive_quadrotor_control/simulation/mission.h"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "adaptive_quadrotor_control/reference/minimum_snap.h"
+
+namespace aqc {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+const Range kTime = Range::between(0.0, 1e6);
+const Range kAngle = Range::between(-3600.0, 3600.0);
+
+std::string print(Nanoseconds time) {
+  std::ostringstream out;
+  out << toSeconds(time) << " s";
+  return out.str();
+}
+
+SetPoint toSetPoint(const FlatOutput& output) {
+  SetPoint set_point;
+  set_point.position = output.derivative[0].head<3>();
+  set_point.velocity = output.derivative[1].head<3>();
+  set_point.acceleration = output.derivative[2].head<3>();
+  set_point.yaw = output.derivative[0][3];
+  set_point.yaw_rate = output.derivative[1][3];
+  return set_point;
+}
+
+// Goes through the entries and remembers where the vehicle should be and when the last leg ended.
+class MissionBuilder {
+ public:
+  MissionBuilder(const std::map<std::string, Payload>& payloads, const SetPoint& start,
+                 Nanoseconds set_point_period)
+      : payloads_(payloads), present_(start), period_(set_point_period) {}
+
+  void add(const ParameterReader& entry) {
+    const std::vector<std::string> keys = entry.keys();
+    const std::string verb = keys.size() == 1 ? keys.front() : "";
+    using Member = void (MissionBuilder::*)(const ParameterReader&);
+    static const std::map<std::string, Member> verbs = {
+        {"step", &MissionBuilder::step},     {"path", &MissionBuilder::path},
+        {"hold", &MissionBuilder::hold},     {"attach", &MissionBuilder::attach},
+        {"detach", &MissionBuilder::detach}, {"wind", &MissionBuilder::wind}};
+    const auto found = verbs.find(verb);
+    if (found == verbs.end()) {
+      entry.refuse(verb, "is not a mission entry; it must be one of step, path, hold, attach, "
+                         "detach, wind, each in a list item of its own");
+    }
+    (this->*found->second)(entry.child(verb));
+  }
+
+  Mission take() { return std::move(mission_); }
+
+ private:
+  // The time at which an entry begins.
+  Nanoseconds begin(const ParameterReader& entry, Nanoseconds earliest) {
+    const Nanoseconds time = entry.has("at") ? fromSeconds(entry.number("at", kTime)) : leg_end_;
+    if (time < earliest) {
+      entry.refuse("at", "is " + print(time) + ", before " + print(earliest) +
+                             ", where the entry before it begins or its leg ends; times must not "
+                             "go backwards");
+    }
+    last_begin_ = time;
+    return time;
+  }
+  Nanoseconds beginLeg(const ParameterReader& entry) { return begin(entry, leg_end_); }
+  Nanoseconds beginEvent(const ParameterReader& entry) { return begin(entry, last_begin_); }
+
+  void step(const ParameterReader& entry) {
+    const Nanoseconds time = beginLeg(entry);
+    const double yaw = entry.number("yaw_deg", kAngle, present_.yaw / kDegree) * kDegree;
+    present_ = SetPoint();
+    present_.position = entry.vector3("position", Range::any());
+    present_.yaw = yaw;
+    mission_.set_points.push_back({time, present_});
+    leg_end_ = time;
+  }
+
+  void path(const ParameterReader& entry) {
+    const Nanoseconds start = beginLeg(entry);
+    std::vector<Waypoint> waypoints(1);
+    waypoints.front().position = present_.position;
+    waypoints.front().yaw = present_.yaw;
+    std::vector<double> durations;
+    Nanoseconds end = start;
+    for (const ParameterReader& point : entry.children("through")) {
+      const Nanoseconds time = fromSeconds(point.number("at", kTime));
+      if (time <= end) {
+        point.refuse("at", "is " + print(time) + "; it must be after " + print(end));
+      }
+      durations.push_back(toSeconds(time - end));
+      end = time;
+      Waypoint waypoint;
+      waypoint.position = point.vector3("position", Range::any());
+      waypoint.yaw = point.number("yaw_deg", kAngle, waypoints.back().yaw / kDegree) * kDegree;
+      waypoints.push_back(waypoint);
+    }
+    if (durations.empty()) entry.refuse("through", "is empty; it must list at least one waypoint");
+    const PolynomialTrajectory trajectory = minimumSnap(waypoints, durations);
+    for (Nanoseconds time = start; time < end; time += period_) {
+      mission_.set_points.push_back(
+          {time, toSetPoint(trajectory.evaluate(toSeconds(time - start)))});
+    }
+    present_ = toSetPoint(trajectory.evaluate(trajectory.duration()));
+    mission_.set_points.push_back({end, present_});
+    leg_end_ = end;
+  }
+
+  void hold(const ParameterReader& entry) {
+    leg_end_ += fromSeconds(entry.number("for", kTime));
+  }
+
+  void attach(const ParameterReader& entry) {
+    const Nanoseconds time = beginEvent(entry);
+    const std::string name = entry.text("payload");
+    const auto payload = payloads_.find(name);
+    if (payload == payloads_.end()) {
+      entry.refuse("payload", "is '" + name + "'; it must be a name of the scenario's 'payloads'");
+    }
+    if (attached_) entry.refuse("payload", "cannot be attached: another one already is");
+    attached_ = true;
+    mission_.events.push_back({time, AttachPayload{payload->second}});
+  }
+
+  void detach(const ParameterReader& entry) {
+    const Nanoseconds time = beginEvent(entry);
+    if (!attached_) entry.refuse("at", "detaches nothing: no payload is attached then");
+    attached_ = false;
+    mission_.events.push_back({time, DetachPayload{}});
+  }
+
+  void wind(const ParameterReader& entry) {
+    const Nanoseconds time = beginEvent(entry);
+    mission_.events.push_back({time, SetWind{entry.vector3("velocity", Range::any())}});
+  }
+
+  const std::map<std::string, Payload>& payloads_;
+  SetPoint present_;
+  Nanoseconds period_;
+  Nanoseconds last_begin_ = 0;
+  Nanoseconds leg_end_ = 0;
+  bool attached_ = false;
+  Mission mission_;
+};
+
+}  // namespace
+
+Mission readMission(const ParameterReader& scenario, const std::map<std::string, Payload>& payloads,
+                    const SetPoint& start, Nanoseconds set_point_period) {
+  MissionBuilder builder(payloads, start, set_point_period);
+  for (const ParameterReader& entry : scenario.children("mission")) builder.add(entry);
+  return builder.take();
+}
+
+}  // namespace aqc

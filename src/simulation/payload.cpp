@@ -1,0 +1,21 @@
+#include "adaptive_quadrotor_control/simulation/payload.h"
+
+namespace aqc {
+
+Eigen::Matrix3d boxInertia(double mass, const Eigen::Vector3d& size) {
+  const Eigen::Vector3d squares = size.cwiseAbs2();
+  return mass / 12.0 *
+         (Eigen::Vector3d::Constant(squares.sum()) - squares).asDiagonal().toDenseMatrix();
+}
+
+Payload readPayload(const ParameterReader& reader) {
+  Payload payload;
+  payload.mass = reader.number("mass", Range::positive());
+  payload.size = reader.vector3("size", Range::positive());
+  payload.offset = reader.vector3("offset", Range::between(-10.0, 10.0));
+  payload.inertia = reader.has("inertia") ? reader.positiveDefinite("inertia")
+                                          : boxInertia(payload.mass, payload.size);
+  return payload;
+}
+
+}  // namespace aqc

@@ -1,0 +1,103 @@
+#include "adaptive_quadrotor_control/simulation/scenario.h"
+
+#include <cmath>
+
+#include "adaptive_quadrotor_control/model/rotations.h"
+#include "adaptive_quadrotor_control/simulation/mission.h"
+
+namespace aqc {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+Nanoseconds readPeriod(const ParameterReader& reader, const std::string& key) {
+  return fromSeconds(1.0 / reader.number(key, Range::between(1.0, 1e5)));
+}
+
+State readStart(const ParameterReader& reader) {
+  State start;
+  start.position = reader.vector3("position", Range::any());
+  start.attitude = yawRotation(reader.number("yaw_deg", Range::between(-360.0, 360.0)) * kDegree);
+  return start;
+}
+
+std::map<std::string, Payload> readPayloads(const ParameterReader& reader) {
+  std::map<std::string, Payload> payloads;
+  for (const std::string& name : reader.keys()) payloads[name] = readPayload(reader.child(name));
+  return payloads;
+}
+
+RmsErrors readPublished(const ParameterReader& reader) {
+  RmsErrors errors;
+  errors.position = reader.vector3("position", Range::nonNegative());
+  errors.attitude = reader.vector3("attitude_deg", Range::nonNegative());
+  return errors;
+}
+
+void checkTimes(const ParameterReader& reader, const Scenario& scenario) {
+  if (scenario.control_period % scenario.plant_step != 0) {
+    reader.refuse("plant_rate", "must be a whole multiple of 'control_rate'");
+  }
+  Nanoseconds last = 0;
+  if (!scenario.set_points.empty()) last = scenario.set_points.back().time;
+  if (!scenario.events.empty()) last = std::max(last, scenario.events.back().time);
+  if (scenario.duration < last) {
+    reader.refuse("duration", "is " + std::to_string(toSeconds(scenario.duration)) +
+                                  " s; the mission lasts until " +
+                                  std::to_string(toSeconds(last)) + " s");
+  }
+  if (scenario.metrics_from >= scenario.duration) {
+    reader.refuse("metrics/from", "must be before the end of the flight");
+  }
+}
+
+}  // namespace
+
+Nanoseconds Scenario::lastPayloadChange() const {
+  Nanoseconds last = 0;
+  for (const PlantEvent& event : events) {
+    if (!std::holds_alternative<SetWind>(event.action)) last = event.time;
+  }
+  return last;
+}
+
+Scenario readScenario(const ParameterReader& reader) {
+  Scenario scenario;
+  scenario.name = reader.text("name");
+  scenario.title = reader.text("title");
+  scenario.vehicle = reader.text("vehicle");
+  scenario.controllers = reader.texts("controllers");
+  scenario.duration = fromSeconds(reader.number("duration", Range::positiveUpTo(1e6)));
+  scenario.control_period = readPeriod(reader, "control_rate");
+  scenario.plant_step = readPeriod(reader, "plant_rate");
+  scenario.start = readStart(reader.child("start"));
+
+  std::map<std::string, Payload> payloads;
+  if (reader.has("payloads")) payloads = readPayloads(reader.child("payloads"));
+  SetPoint start;
+  start.position = scenario.start.position;
+  start.yaw = rollPitchYaw(scenario.start.attitude).z();
+  Mission mission = readMission(reader, payloads, start, readPeriod(reader, "set_point_rate"));
+  scenario.set_points = std::move(mission.set_points);
+  scenario.events = std::move(mission.events);
+
+  scenario.metrics_from =
+      fromSeconds(reader.child("metrics").number("from", Range::nonNegative()));
+  if (reader.has("published")) {
+    const ParameterReader published = reader.child("published");
+    for (const std::string& name : published.keys()) {
+      scenario.published[name] = readPublished(published.child(name));
+    }
+  }
+  checkTimes(reader, scenario);
+  return scenario;
+}
+
+Scenario loadScenario(const std::string& path) {
+  const ParameterReader reader(loadYamlFile(path), path);
+  Scenario scenario = readScenario(reader);
+  reader.finish();
+  return scenario;
+}
+
+}  // namespace aqc
