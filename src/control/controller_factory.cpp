@@ -5,6 +5,7 @@
 #include "adaptive_quadrotor_control/control/asmc.h"
 #include "adaptive_quadrotor_control/control/geometric.h"
 #include "adaptive_quadrotor_control/control/smc.h"
+#include "adaptive_quadrotor_control/control/switched.h"
 
 namespace aqc {
 namespace {
@@ -23,6 +24,10 @@ const std::map<std::string, Maker>& makers() {
        }},
       {"smc", [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<Controller> {
          return std::make_unique<Smc>(reader);
+       }},
+      {"switched", [](const ParameterReader& reader,
+                      const Vehicle& vehicle) -> std::unique_ptr<Controller> {
+         return std::make_unique<Switched>(reader, vehicle);
        }},
   };
   return table;

@@ -57,7 +57,7 @@ Wrench RotorAllocation::wrench(const RotorArray& speeds) const noexcept {
 }
 
 bool RotorAllocation::feasible(const RotorArray& squared) const noexcept {
-  return squared.minCoeff() >= 0.0 && squared.maxCoeff() <= max_squared_speed_;
+  return (squared.array() >= 0.0 && squared.array() <= max_squared_speed_).all();
 }
 
 void RotorAllocation::fit(const Wrench& request, RotorArray& squared) const noexcept {
@@ -91,6 +91,7 @@ Allocation RotorAllocation::allocate(const Wrench& request) const noexcept {
     squared.noalias() = inverse_.col(0) * request.thrust + inverse_.rightCols<3>() * request.moment;
     result.saturated = !feasible(squared);
     if (result.saturated) fit(request, squared);
+    if (!squared.allFinite()) squared.setZero();  // so large a request that the numbers overflow
   } else {
     result.saturated = true;
   }

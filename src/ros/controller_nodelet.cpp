@@ -37,7 +37,8 @@ void ControllerNodelet::onInit() {
 void ControllerNodelet::configure() {
   const Vehicle vehicle = readParameters(getNodeHandle(), "vehicle", readVehicle);
   const ParameterReader own = parameterReader(getPrivateNodeHandle(), "");
-  period_ = fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), 250.0));
+  const double default_rate = getNodeHandle().param("scenario/control_rate", 250.0);
+  period_ = fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), default_rate));
   odometry_triggers_ =
       own.has("trigger") && own.choice("trigger", {"odometry", "timer"}) == "odometry";
   const ParameterReader gains = own.child("gains");
@@ -80,8 +81,9 @@ void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) 
   if (!odometry_triggers_) return;
   // The same stamp again asks for the answer again (the simulator waits for it), not for a step:
   // unless nothing was flying, when a set point may have come in the meantime.
-  if (last_step_ && time == *last_step_ && flying_) return publish();
-  if (last_step_ && time > *last_step_ && time < *last_step_ + period_) return;
+  const bool repeated = last_step_ && time == *last_step_ && flying_;
+  const bool early = last_step_ && time > *last_step_ && time < *last_step_ + period_;
+  if (repeated || early) return publishMotors();
   const Nanoseconds elapsed = last_step_ ? time - *last_step_ : period_;
   // Odometry that pauses must not make one huge step of the adaptive laws.
   step(time, toSeconds(std::clamp(elapsed, period_, 2 * period_)));
@@ -97,23 +99,26 @@ void ControllerNodelet::step(Nanoseconds now, double dt) {
   flying_ = set_point != nullptr;
   if (flying_) set_point_ = *set_point;
   controller_->step(state_.value_or(State()), set_point, dt);
-  publish();
+  publishMotors();
+  publishState();
 }
 
-void ControllerNodelet::publish() {
-  const Allocation& allocation = controller_->allocation();
+void ControllerNodelet::publishMotors() {
+  const RotorArray& speeds = controller_->allocation().speeds;
   const auto motors = boost::make_shared<msgs::Actuators>();
   motors->header.stamp = toRosTime(odometry_time_);
-  motors->angular_velocities.assign(allocation.speeds.begin(), allocation.speeds.end());
+  motors->angular_velocities.assign(speeds.begin(), speeds.end());
   motor_publisher_.publish(motors);
+}
 
+void ControllerNodelet::publishState() {
   FlightSample sample;
   sample.time = odometry_time_;
   sample.state = state_.value_or(State());
   sample.flying = flying_;
   sample.set_point = set_point_;
   sample.telemetry = controller_->law().telemetry();
-  sample.allocation = allocation;
+  sample.allocation = controller_->allocation();
   const auto state = boost::make_shared<msgs::ControllerState>();
   fill(sample, *state);
   state->controller = law_name_;

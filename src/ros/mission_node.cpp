@@ -21,6 +21,10 @@ constexpr double kPatience = 30.0;  // for another node to answer [s], wall
 }  // namespace
 
 MissionNode::MissionNode() {
+  for (const std::string name : {"vehicle", "scenario"}) {
+    waitFor("the parameters '" + node_.resolveName(name) + "'",
+            [&] { return node_.hasParam(name); });
+  }
   vehicle_ = readParameters(node_, "vehicle", readVehicle);
   scenario_ = readParameters(node_, "scenario", readScenario);
   const auto fast = ros::TransportHints().tcpNoDelay();
@@ -88,6 +92,7 @@ void MissionNode::sendEvents() {
     if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
       msgs::AttachPayload service;
       service.request.at = at;
+      service.request.name = attach->name;
       service.request.mass = attach->payload.mass;
       service.request.size = toVector3(attach->payload.size);
       service.request.offset = toVector3(attach->payload.offset);

@@ -8,6 +8,7 @@
 #include "adaptive_quadrotor_control/PlantStatus.h"
 #include "adaptive_quadrotor_control/ros/conversions.h"
 #include "adaptive_quadrotor_control/ros/parameter_tree.h"
+#include "adaptive_quadrotor_control/ros/run_node.h"
 
 namespace aqc {
 namespace {
@@ -55,8 +56,8 @@ PlantNode::PlantNode()
 }
 
 void PlantNode::restart(Nanoseconds start) {
-  plant_ = std::make_unique<TimedPlant>(Plant(vehicle_, scenario_.start), scenario_.plant_step,
-                                        start);
+  plant_ = std::make_unique<TimedPlant>(Plant(vehicle_, scenario_.start, scenario_.walls),
+                                        scenario_.cargo, scenario_.plant_step, start);
   command_ = RotorArray::Zero(static_cast<Eigen::Index>(vehicle_.rotors.size()));
   wall_start_ = last_progress_ = ros::WallTime::now();
   run_start_ = start;
@@ -155,7 +156,8 @@ bool PlantNode::plan(const ros::Time& at, PlantAction action, Response& response
   return true;
 }
 
-bool PlantNode::onAttach(msgs::AttachPayload::Request& request, msgs::AttachPayload::Response& response) {
+bool PlantNode::onAttach(msgs::AttachPayload::Request& request,
+                         msgs::AttachPayload::Response& response) {
   // The same checks, with the same words, as for a payload in a scenario file.
   YAML::Node tree;
   tree["mass"] = request.mass;
@@ -166,8 +168,12 @@ bool PlantNode::onAttach(msgs::AttachPayload::Request& request, msgs::AttachPayl
   tree["offset"] = list(request.offset);
   if (!toEigen(request.inertia).isZero(0.0)) tree["inertia"] = list(request.inertia);
   try {
-    return plan(request.at, aqc::AttachPayload{readPayload(ParameterReader(tree, "payload"))},
-                response);
+    AttachPayload attach{request.name, {}};
+    if (!plant_->knows(request.name)) attach.payload = readPayload(ParameterReader(tree, "payload"));
+    const bool now = toNanoseconds(request.at) <= plant_->now();
+    response.message = now ? plant_->obstacle(attach) : "";
+    if (response.message.empty()) return plan(request.at, attach, response);
+    response.success = false;
   } catch (const ParameterError& error) {
     response.success = false;
     response.message = error.what();
@@ -176,12 +182,12 @@ bool PlantNode::onAttach(msgs::AttachPayload::Request& request, msgs::AttachPayl
 }
 
 bool PlantNode::onDetach(msgs::DetachPayload::Request& request, msgs::DetachPayload::Response& response) {
-  return plan(request.at, aqc::DetachPayload{}, response);
+  return plan(request.at, DetachPayload{}, response);
 }
 
 bool PlantNode::onWind(msgs::SetWind::Request& request, msgs::SetWind::Response& response) {
   const Eigen::Vector3d velocity = toEigen(request.velocity);
-  if (velocity.allFinite()) return plan(request.at, aqc::SetWind{velocity}, response);
+  if (velocity.allFinite()) return plan(request.at, SetWind{velocity}, response);
   response.success = false;
   response.message = "the wind has a number that is not finite";
   return true;
@@ -210,13 +216,9 @@ bool PlantNode::onResume(std_srvs::Trigger::Request&, std_srvs::Trigger::Respons
 }  // namespace aqc
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "plant");
-  try {
+  return aqc::runNode(argc, argv, "plant", [] {
     aqc::PlantNode node;
     ros::spin();
     return 0;
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
+  });
 }

@@ -7,7 +7,7 @@ namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
                        std::unique_ptr<Controller> law)
-    : plant_(Plant(vehicle, scenario.start), scenario.plant_step),
+    : plant_(Plant(vehicle, scenario.start, scenario.walls), scenario.cargo, scenario.plant_step),
       controller_(vehicle, std::move(law)),
       schedule_(scenario.set_points),
       period_(scenario.control_period),
@@ -48,6 +48,7 @@ FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::strin
       progress(static_cast<double>(loop.plant().now()) / static_cast<double>(scenario.duration));
     }
   }
+  log.refusals = loop.plant().refusals();
   log.crash_time = loop.plant().crashTime();
   if (log.crash_time) log.crash_reason = toString(loop.plant().plant().crash());
   return log;

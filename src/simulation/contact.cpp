@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "adaptive_quadrotor_control/model/state.h"
 
@@ -20,12 +21,14 @@ const char* toString(Crash crash) {
     case Crash::kHardImpact: return "hard impact";
     case Crash::kTiltedContact: return "tilted contact";
     case Crash::kRotorStrike: return "rotor strike";
+    case Crash::kWallStrike: return "wall strike";
   }
   return "unknown";
 }
 
-Contact::Contact(const Vehicle& vehicle)
-    : rotor_count_(static_cast<int>(vehicle.rotors.size())),
+Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls)
+    : walls_(std::move(walls)),
+      rotor_count_(static_cast<int>(vehicle.rotors.size())),
       stiffness_(vehicle.mass * kGravity / (kFeet * kRestSink)),
       damping_(2.0 * kDampingRatio * std::sqrt(stiffness_ * vehicle.mass / kFeet)) {
   std::size_t next = 0;
@@ -55,26 +58,48 @@ void Contact::setPayload(const Payload* payload) {
   }
 }
 
+bool Contact::near(const Eigen::Vector3d& position, double margin) const noexcept {
+  const double distance = reach_ + margin;
+  if (position.z() < distance) return true;
+  return std::any_of(walls_.begin(), walls_.end(), [&](const Box& wall) {
+    return ((position - wall.min).array() > -distance).all() &&
+           ((wall.max - position).array() > -distance).all();
+  });
+}
+
+template <class Visit>
+void Contact::forEachTouch(const Eigen::Vector3d& position, const Eigen::Matrix3d& rotation,
+                           Visit visit) const noexcept {
+  for (int i = 0; i < point_count_; ++i) {
+    const Eigen::Vector3d& point = points_[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d place = position + rotation * point;
+    const Penetration ground = penetrationIntoGround(place);
+    if (ground.depth > 0.0) visit(i, point, ground, false);
+    for (const Box& wall : walls_) {
+      const Penetration inside = penetrationInto(wall, place);
+      if (inside.depth > 0.0) visit(i, point, inside, true);
+    }
+  }
+}
+
 ForceMoment Contact::force(const Eigen::Vector3d& position, const Eigen::Matrix3d& rotation,
                            const Eigen::Vector3d& velocity, const Eigen::Vector3d& body_rate,
                            const Eigen::Vector3d& centre_of_mass) const noexcept {
   ForceMoment total;
-  for (int i = 0; i < point_count_; ++i) {
-    const Eigen::Vector3d& point = points_[static_cast<std::size_t>(i)];
-    const double depth = -(position.z() + rotation.row(2).dot(point));
-    if (depth <= 0.0) continue;
+  const auto push = [&](int, const Eigen::Vector3d& point, const Penetration& inside, bool) {
     const Eigen::Vector3d speed = velocity + rotation * body_rate.cross(point);
-    const double normal = std::max(0.0, stiffness_ * depth - damping_ * speed.z());
-    const Eigen::Vector2d sliding = speed.head<2>();
+    const double leaving = speed.dot(inside.normal);
+    const double normal = std::max(0.0, stiffness_ * inside.depth - damping_ * leaving);
+    const Eigen::Vector3d sliding = speed - leaving * inside.normal;
     const double sliding_speed = sliding.norm();
     const double drag = sliding_speed * damping_ > kFriction * normal
                             ? kFriction * normal / sliding_speed
                             : damping_;
-    Eigen::Vector3d force;
-    force << -drag * sliding, normal;
+    const Eigen::Vector3d force = normal * inside.normal - drag * sliding;
     total.force += force;
     total.moment += (point - centre_of_mass).cross(rotation.transpose() * force);
-  }
+  };
+  forEachTouch(position, rotation, push);
   return total;
 }
 
@@ -82,20 +107,22 @@ Contact::Judgement Contact::judge(const Eigen::Vector3d& position, const Eigen::
                                   const Eigen::Vector3d& velocity,
                                   const Eigen::Vector3d& body_rate) const noexcept {
   Judgement judgement;
-  for (int i = 0; i < point_count_; ++i) {
-    const Eigen::Vector3d& point = points_[static_cast<std::size_t>(i)];
-    if (position.z() + rotation.row(2).dot(point) >= 0.0) continue;
+  const auto look = [&](int index, const Eigen::Vector3d& point, const Penetration& inside,
+                        bool wall) {
     judgement.touching = true;
-    const double falling = -(velocity + rotation * body_rate.cross(point)).z();
-    if (i >= kFeet && i < kFeet + rotor_count_) {
+    if (judgement.crash != Crash::kNone) return;
+    const double impact = -(velocity + rotation * body_rate.cross(point)).dot(inside.normal);
+    if (wall) {
+      judgement.crash = Crash::kWallStrike;
+    } else if (index >= kFeet && index < kFeet + rotor_count_) {
       judgement.crash = Crash::kRotorStrike;
-    } else if (falling > kCrashSpeed) {
+    } else if (impact > kCrashSpeed) {
       judgement.crash = Crash::kHardImpact;
     } else if (rotation(2, 2) < std::cos(kCrashTilt)) {
       judgement.crash = Crash::kTiltedContact;
     }
-    if (judgement.crash != Crash::kNone) break;
-  }
+  };
+  forEachTouch(position, rotation, look);
   return judgement;
 }
 

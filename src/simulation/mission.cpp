@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
+#include "adaptive_quadrotor_control/reference/sampling.h"
 
 namespace aqc {
 namespace {
@@ -17,16 +18,6 @@ std::string print(Nanoseconds time) {
   std::ostringstream out;
   out << toSeconds(time) << " s";
   return out.str();
-}
-
-SetPoint toSetPoint(const FlatOutput& output) {
-  SetPoint set_point;
-  set_point.position = output.derivative[0].head<3>();
-  set_point.velocity = output.derivative[1].head<3>();
-  set_point.acceleration = output.derivative[2].head<3>();
-  set_point.yaw = output.derivative[0][3];
-  set_point.yaw_rate = output.derivative[1][3];
-  return set_point;
 }
 
 // Goes through the entries and remembers where the vehicle should be and when the last leg ended.
@@ -100,12 +91,9 @@ class MissionBuilder {
     }
     if (durations.empty()) entry.refuse("through", "is empty; it must list at least one waypoint");
     const PolynomialTrajectory trajectory = minimumSnap(waypoints, durations);
-    for (Nanoseconds time = start; time < end; time += period_) {
-      mission_.set_points.push_back(
-          {time, toSetPoint(trajectory.evaluate(toSeconds(time - start)))});
-    }
-    present_ = toSetPoint(trajectory.evaluate(trajectory.duration()));
-    mission_.set_points.push_back({end, present_});
+    const std::vector<TimedSetPoint> leg = sample(trajectory, start, period_);
+    mission_.set_points.insert(mission_.set_points.end(), leg.begin(), leg.end());
+    present_ = leg.back().set_point;
     leg_end_ = end;
   }
 
@@ -122,7 +110,7 @@ class MissionBuilder {
     }
     if (attached_) entry.refuse("payload", "cannot be attached: another one already is");
     attached_ = true;
-    mission_.events.push_back({time, AttachPayload{payload->second}});
+    mission_.events.push_back({time, AttachPayload{name, payload->second}});
   }
 
   void detach(const ParameterReader& entry) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace aqc {
 namespace {
@@ -14,9 +15,31 @@ Eigen::Matrix3d pointInertia(double mass, const Eigen::Vector3d& arm) {
 
 }  // namespace
 
-Plant::Plant(const Vehicle& vehicle, const State& start)
+// What RK4 integrates: motion of the centre of mass, or its change with time.
+struct Plant::Motion {
+  Plain3 position;
+  Plain3 velocity;
+  PlainQuaternion attitude;
+  Plain3 body_rate;
+
+  Motion after(double time, const Motion& slope) const {
+    return {position + time * slope.position,
+            velocity + time * slope.velocity,
+            {attitude.vector + time * slope.attitude.vector,
+             attitude.scalar + time * slope.attitude.scalar},
+            body_rate + time * slope.body_rate};
+  }
+  Motion operator+(const Motion& other) const {
+    return {position + other.position,
+            velocity + other.velocity,
+            {attitude.vector + other.attitude.vector, attitude.scalar + other.attitude.scalar},
+            body_rate + other.body_rate};
+  }
+};
+
+Plant::Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls)
     : vehicle_(vehicle),
-      contact_(vehicle),
+      contact_(vehicle, std::move(walls)),
       state_(start),
       speeds_(RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size()))) {
   state_.attitude.normalize();
@@ -33,28 +56,31 @@ void Plant::updateMassProperties() {
     inertia_ += pointInertia(vehicle_.mass, centre_) + payload_->inertia +
                 pointInertia(payload_->mass, payload_->offset - centre_);
   }
+  inverse_mass_ = 1.0 / mass_;
   inverse_inertia_ = inertia_.inverse();
   for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
-    hubs_[i] << vehicle_.rotors[i].position(), 0.0;
-    hubs_[i] -= centre_;
+    const Eigen::Vector2d arm = vehicle_.rotors[i].position() - centre_.head<2>();
+    hubs_[i] = {arm.x(), arm.y(), arm.squaredNorm(),
+                -vehicle_.rotors[i].direction * vehicle_.moment_constant};
   }
   contact_.setPayload(payload_ ? &*payload_ : nullptr);
+  loads_ = rotorLoads(speeds_);
 }
 
-void Plant::attach(const Payload& payload) {
+void Plant::attach(const Payload& payload, const Eigen::Vector3d& velocity) {
   if (payload_) throw std::logic_error("a payload is attached already; detach it first");
   const Eigen::Vector3d where = state_.position + state_.attitude * payload.offset;
-  const Eigen::Vector3d linear = linearMomentum();
+  const Eigen::Vector3d linear = linearMomentum() + payload.mass * velocity;
   const Eigen::Vector3d angular = angularMomentum(where);
   payload_ = payload;
   updateMassProperties();
 
-  // Both bodies now move as one with the momentum the vehicle had (the payload was at rest).
-  Motion joined = motion();
-  joined.velocity = linear / mass_;
-  const Eigen::Vector3d spin = angular - (joined.position - where).cross(linear);
-  joined.body_rate = inverse_inertia_ * (state_.attitude.conjugate() * spin);
-  setMotion(joined);
+  // Both bodies now move as one with the momentum they had; the payload's own has no moment about
+  // where it is.
+  const Eigen::Vector3d lever = state_.attitude * (centre_ - payload.offset);
+  state_.body_rate =
+      inverse_inertia_ * (state_.attitude.conjugate() * (angular - lever.cross(linear)));
+  state_.velocity = linear / mass_ - state_.attitude * state_.body_rate.cross(centre_);
 }
 
 void Plant::detach() {
@@ -63,95 +89,92 @@ void Plant::detach() {
   updateMassProperties();
 }
 
-Eigen::Vector3d Plant::linearMomentum() const { return mass_ * motion().velocity; }
+Eigen::Vector3d Plant::linearMomentum() const {
+  return mass_ * (state_.velocity + state_.attitude * state_.body_rate.cross(centre_));
+}
 
 Eigen::Vector3d Plant::angularMomentum(const Eigen::Vector3d& point) const {
-  const Motion now = motion();
-  return state_.attitude * (inertia_ * now.body_rate) +
-         (now.position - point).cross(mass_ * now.velocity);
-}
-
-Plant::Motion Plant::motion() const {
-  return {state_.position + state_.attitude * centre_,
-          state_.velocity + state_.attitude * state_.body_rate.cross(centre_),
-          state_.attitude.coeffs(), state_.body_rate};
-}
-
-void Plant::setMotion(const Motion& motion) {
-  state_.attitude.coeffs() = motion.attitude.normalized();
-  state_.body_rate = motion.body_rate;
-  state_.position = motion.position - state_.attitude * centre_;
-  state_.velocity = motion.velocity - state_.attitude * state_.body_rate.cross(centre_);
+  const Eigen::Vector3d arm = state_.position + state_.attitude * centre_ - point;
+  return state_.attitude * (inertia_ * state_.body_rate) + arm.cross(linearMomentum());
 }
 
 Plant::RotorLoads Plant::rotorLoads(const RotorArray& speeds) const noexcept {
-  RotorLoads loads;
+  RotorLoads loads = {};
   for (Eigen::Index i = 0; i < speeds.size(); ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const Eigen::Vector3d& hub = hubs_[index];
-    const double thrust = vehicle_.force_constant * speeds[i] * speeds[i];
+    const Hub& hub = hubs_[static_cast<std::size_t>(i)];
+    const double speed = speeds[i];
+    const double thrust = vehicle_.force_constant * speed * speed;
     loads.thrust += thrust;
-    loads.moment.x() += hub.y() * thrust;
-    loads.moment.y() -= hub.x() * thrust;
-    loads.moment.z() -= vehicle_.rotors[index].direction * vehicle_.moment_constant * thrust;
-    loads.speed_sum += speeds[i];
-    loads.speed_moment += speeds[i] * hub.head<2>();
-    loads.speed_inertia += speeds[i] * hub.head<2>().squaredNorm();
+    loads.moment = loads.moment + thrust * Plain3{hub.y, -hub.x, hub.yaw};
+    loads.speed_sum += speed;
+    loads.speed_moment_x += hub.x * speed;
+    loads.speed_moment_y += hub.y * speed;
+    loads.speed_inertia += hub.distance_squared * speed;
   }
   return loads;
 }
 
-// Rotor drag -c_d |omega_i| v_i and rolling moment -c_r |omega_i| v_i of all rotors together, where
-// v_i is the hub's velocity through the air across the rotor axis. Being linear in the motion, the
-// sum over the rotors needs only the sums in `rotors`. Force and moment both in B.
-ForceMoment Plant::aerodynamics(const RotorLoads& rotors, const Eigen::Vector3d& air_velocity,
-                                const Eigen::Vector3d& body_rate) const noexcept {
-  const double height = hubs_[0].z();
-  const double spin = body_rate.z();
-  // Velocity in the rotor plane at the centre of mass's foot point, without the spin's share.
-  const Eigen::Vector2d base(air_velocity.x() + body_rate.y() * height,
-                             air_velocity.y() - body_rate.x() * height);
-  const Eigen::Vector2d& lever = rotors.speed_moment;
-  const Eigen::Vector2d flow =
-      rotors.speed_sum * base + spin * Eigen::Vector2d(-lever.y(), lever.x());
-  const double turning =
-      lever.x() * base.y() - lever.y() * base.x() + spin * rotors.speed_inertia;
+// Rotor drag -c_d |omega_i| v_i and rolling moment -c_r |omega_i| v_i act at every hub, where v_i
+// is the hub's velocity through the air across the rotor axis. Being linear in the motion, their
+// sum over the rotors needs only the sums in `rotors`.
+[[gnu::always_inline]] inline Plant::Motion Plant::derivative(
+    const Motion& motion, const RotorLoads& rotors) const noexcept {
+  const PlainRotation R(motion.attitude);  // of unit norm to rounding and RK4's order
+  const Plain3& rate = motion.body_rate;
+  const Plain3 air = R.toBody(motion.velocity - Plain3::from(wind_));
+  const double height = -centre_.z();  // of the rotors' plane above the centre of mass
+  // Velocity in the rotors' plane, above or below the centre of mass, without the spin's share.
+  const double base_x = air.x + rate.y * height;
+  const double base_y = air.y - rate.x * height;
+  const double flow_x = rotors.speed_sum * base_x - rate.z * rotors.speed_moment_y;
+  const double flow_y = rotors.speed_sum * base_y + rate.z * rotors.speed_moment_x;
+  const double turning = rotors.speed_moment_x * base_y - rotors.speed_moment_y * base_x +
+                         rate.z * rotors.speed_inertia;
+  const double drag = vehicle_.drag_coefficient;
+  const double rolling = vehicle_.rolling_moment_coefficient;
 
-  const Eigen::Vector2d drag = -vehicle_.drag_coefficient * flow;
-  const Eigen::Vector2d rolling = -vehicle_.rolling_moment_coefficient * flow;
-  ForceMoment result;
-  result.force << drag, 0.0;
-  result.moment << rolling.x() - height * drag.y(), rolling.y() + height * drag.x(),
-      -vehicle_.drag_coefficient * turning;
-  return result;
-}
-
-Plant::Motion Plant::derivative(const Motion& motion, const RotorLoads& rotors) const noexcept {
-  const Eigen::Quaterniond attitude(motion.attitude);  // normalised to rounding and RK4's order
-  const Eigen::Matrix3d R = attitude.toRotationMatrix();
-  const Eigen::Vector3d& rate = motion.body_rate;
-
-  const ForceMoment air =
-      aerodynamics(rotors, R.transpose() * (motion.velocity - wind_), rate);
-  Eigen::Vector3d body_force = air.force;
-  body_force.z() += rotors.thrust;
-  Eigen::Vector3d force = R * body_force + disturbance_.force;
-  Eigen::Vector3d moment = rotors.moment + air.moment + disturbance_.moment;
-  if (near_ground_) {
-    const ForceMoment ground =
-        contact_.force(motion.position - R * centre_, R,
-                       motion.velocity - R * rate.cross(centre_), rate, centre_);
-    force += ground.force;
-    moment += ground.moment;
+  Plain3 force =
+      R.toWorld({-drag * flow_x, -drag * flow_y, rotors.thrust}) + Plain3::from(disturbance_.force);
+  Plain3 moment = rotors.moment + Plain3::from(disturbance_.moment) - cross(rate, inertia_ * rate) +
+                  Plain3{height * drag * flow_y - rolling * flow_x,
+                         -height * drag * flow_x - rolling * flow_y, -drag * turning};
+  if (near_contact_) {
+    const ForceMoment contact = contactForce(motion);
+    force = force + Plain3::from(contact.force);
+    moment = moment + Plain3::from(contact.moment);
   }
 
   Motion change;
   change.position = motion.velocity;
-  change.velocity = force / mass_;
-  change.velocity.z() -= kGravity;
-  change.attitude = 0.5 * (attitude * Eigen::Quaterniond(0.0, rate.x(), rate.y(), rate.z())).coeffs();
-  change.body_rate = inverse_inertia_ * (moment - rate.cross(inertia_ * rate));
+  change.velocity = inverse_mass_ * force - Plain3{0.0, 0.0, kGravity};
+  // Half the quaternion product of the attitude and (rate, 0).
+  const Plain3 half = 0.5 * rate;
+  change.attitude.vector = motion.attitude.scalar * half + cross(motion.attitude.vector, half);
+  change.attitude.scalar = -dot(motion.attitude.vector, half);
+  change.body_rate = inverse_inertia_ * moment;
   return change;
+}
+
+[[gnu::noinline, gnu::cold]] ForceMoment Plant::contactForce(const Motion& motion) const noexcept {
+  const PlainRotation R(motion.attitude);
+  const Plain3 centre = Plain3::from(centre_);
+  const Plain3 position = motion.position - R.toWorld(centre);
+  const Plain3 velocity = motion.velocity - R.toWorld(cross(motion.body_rate, centre));
+  return contact_.force(position.eigen(), R.eigen(), velocity.eigen(), motion.body_rate.eigen(),
+                        centre_);
+}
+
+[[gnu::always_inline]] inline void Plant::setMotion(const Motion& motion) noexcept {
+  const PlainQuaternion& q = motion.attitude;
+  const double scale = 1.0 / std::sqrt(dot(q.vector, q.vector) + q.scalar * q.scalar);
+  const PlainQuaternion attitude = {scale * q.vector, scale * q.scalar};
+  const PlainRotation R(attitude);
+  const Plain3 centre = Plain3::from(centre_);
+  state_.position = (motion.position - R.toWorld(centre)).eigen();
+  state_.velocity = (motion.velocity - R.toWorld(cross(motion.body_rate, centre))).eigen();
+  state_.attitude =
+      Eigen::Quaterniond(attitude.scalar, attitude.vector.x, attitude.vector.y, attitude.vector.z);
+  state_.body_rate = motion.body_rate.eigen();
 }
 
 void Plant::step(const RotorArray& command, double dt) noexcept {
@@ -161,48 +184,42 @@ void Plant::step(const RotorArray& command, double dt) noexcept {
     decay_down_ = std::exp(-0.5 * dt / vehicle_.time_constant_down);
   }
   RotorArray half(speeds_.size());
-  RotorArray end(speeds_.size());
   for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
     const bool usable = crash_ == Crash::kNone && i < command.size() && std::isfinite(command[i]);
     const double target = usable ? std::clamp(command[i], 0.0, vehicle_.max_rotor_speed) : 0.0;
     const double decay = target > speeds_[i] ? decay_up_ : decay_down_;
     half[i] = target + (speeds_[i] - target) * decay;
-    end[i] = target + (half[i] - target) * decay;
+    speeds_[i] = target + (half[i] - target) * decay;
   }
-  const RotorLoads loads_start = rotorLoads(speeds_);
+  const RotorLoads loads_start = loads_;
   const RotorLoads loads_half = rotorLoads(half);
-  const RotorLoads loads_end = rotorLoads(end);
-  speeds_ = end;
+  loads_ = rotorLoads(speeds_);
 
-  const Motion start = motion();
-  // Above its own reach plus what it can move in a step nothing can touch.
-  near_ground_ = state_.position.z() < contact_.reach() + 0.01 + 2.0 * dt * start.velocity.norm();
-  const auto along = [&start](const Motion& slope, double time) {
-    return Motion{start.position + time * slope.position, start.velocity + time * slope.velocity,
-                  start.attitude + time * slope.attitude, start.body_rate + time * slope.body_rate};
-  };
+  const Plain3 centre = Plain3::from(centre_);
+  const PlainQuaternion attitude = PlainQuaternion::from(state_.attitude);
+  const PlainRotation R(attitude);
+  const Plain3 rate = Plain3::from(state_.body_rate);
+  const Motion start = {Plain3::from(state_.position) + R.toWorld(centre),
+                        Plain3::from(state_.velocity) + R.toWorld(cross(rate, centre)), attitude,
+                        rate};
+  const double speed = std::sqrt(dot(start.velocity, start.velocity));
+  near_contact_ = contact_.near(state_.position, 0.01 + 2.0 * dt * speed);
+
   const Motion k1 = derivative(start, loads_start);
-  const Motion k2 = derivative(along(k1, 0.5 * dt), loads_half);
-  const Motion k3 = derivative(along(k2, 0.5 * dt), loads_half);
-  const Motion k4 = derivative(along(k3, dt), loads_end);
+  const Motion k2 = derivative(start.after(0.5 * dt, k1), loads_half);
+  const Motion k3 = derivative(start.after(0.5 * dt, k2), loads_half);
+  const Motion k4 = derivative(start.after(dt, k3), loads_);
+  const Motion middle = k2 + k3;
+  setMotion(start.after(dt / 6.0, k1 + middle + middle + k4));
 
-  const Eigen::Vector3d& rate = start.body_rate;
-  specific_force_ = state_.attitude.conjugate() *
-                        (k1.velocity + kGravity * Eigen::Vector3d::UnitZ()) -
-                    k1.body_rate.cross(centre_) - rate.cross(rate.cross(centre_));
-
-  const double sixth = dt / 6.0;
-  setMotion({start.position + sixth * (k1.position + 2.0 * (k2.position + k3.position) + k4.position),
-             start.velocity + sixth * (k1.velocity + 2.0 * (k2.velocity + k3.velocity) + k4.velocity),
-             start.attitude + sixth * (k1.attitude + 2.0 * (k2.attitude + k3.attitude) + k4.attitude),
-             start.body_rate +
-                 sixth * (k1.body_rate + 2.0 * (k2.body_rate + k3.body_rate) + k4.body_rate)});
+  specific_force_ = (R.toBody(k1.velocity + Plain3{0.0, 0.0, kGravity}) -
+                     cross(k1.body_rate, centre) - cross(rate, cross(rate, centre)))
+                        .eigen();
 
   touching_ = false;
-  if (near_ground_) {
-    const Contact::Judgement judgement =
-        contact_.judge(state_.position, state_.attitude.toRotationMatrix(), state_.velocity,
-                       state_.body_rate);
+  if (near_contact_) {
+    const Contact::Judgement judgement = contact_.judge(
+        state_.position, state_.attitude.toRotationMatrix(), state_.velocity, state_.body_rate);
     touching_ = judgement.touching;
     if (crash_ == Crash::kNone) crash_ = judgement.crash;
   }

@@ -21,10 +21,27 @@ State readStart(const ParameterReader& reader) {
   return start;
 }
 
-std::map<std::string, Payload> readPayloads(const ParameterReader& reader) {
+// Payloads with a `place` lie there until they are picked up; the others appear when attached.
+std::map<std::string, Payload> readPayloads(const ParameterReader& reader,
+                                            std::vector<Cargo>& cargo) {
   std::map<std::string, Payload> payloads;
-  for (const std::string& name : reader.keys()) payloads[name] = readPayload(reader.child(name));
+  for (const std::string& name : reader.keys()) {
+    const ParameterReader entry = reader.child(name);
+    payloads[name] = readPayload(entry);
+    if (!entry.has("place")) continue;
+    const std::vector<double> place = entry.numbers("place", 2, Range::any());
+    const double height = 0.5 * payloads[name].size.z();
+    cargo.push_back({name, payloads[name], {place[0], place[1], height}, {}});
+  }
   return payloads;
+}
+
+Box readBox(const ParameterReader& reader) {
+  Box box{reader.vector3("min", Range::any()), reader.vector3("max", Range::any())};
+  if (!((box.max - box.min).array() > 0.0).all()) {
+    reader.refuse("max", "must be above 'min' in every axis");
+  }
+  return box;
 }
 
 RmsErrors readPublished(const ParameterReader& reader) {
@@ -73,7 +90,12 @@ Scenario readScenario(const ParameterReader& reader) {
   scenario.start = readStart(reader.child("start"));
 
   std::map<std::string, Payload> payloads;
-  if (reader.has("payloads")) payloads = readPayloads(reader.child("payloads"));
+  if (reader.has("payloads")) payloads = readPayloads(reader.child("payloads"), scenario.cargo);
+  if (reader.has("walls")) {
+    for (const ParameterReader& wall : reader.children("walls")) {
+      scenario.walls.push_back(readBox(wall));
+    }
+  }
   SetPoint start;
   start.position = scenario.start.position;
   start.yaw = rollPitchYaw(scenario.start.attitude).z();

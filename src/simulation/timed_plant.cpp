@@ -1,13 +1,14 @@
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
 namespace aqc {
 
-TimedPlant::TimedPlant(Plant plant, Nanoseconds step, Nanoseconds start)
-    : plant_(std::move(plant)), step_(step), now_(start) {
+TimedPlant::TimedPlant(Plant plant, std::vector<Cargo> cargo, Nanoseconds step, Nanoseconds start)
+    : plant_(std::move(plant)), cargo_(std::move(cargo)), step_(step), now_(start) {
   if (step <= 0) throw std::invalid_argument("the plant's step must be > 0 ns");
 }
 
@@ -29,13 +30,66 @@ void TimedPlant::schedule(const PlantEvent& event) {
   events_ = std::move(events);
 }
 
+std::vector<Cargo>::const_iterator TimedPlant::find(const std::string& name) const {
+  return std::find_if(cargo_.begin(), cargo_.end(),
+                      [&name](const Cargo& cargo) { return cargo.name == name; });
+}
+
+bool TimedPlant::knows(const std::string& name) const {
+  return find(name) != cargo_.end() || (plant_.payload() && attached_name_ == name);
+}
+
+std::string TimedPlant::obstacle(const AttachPayload& attach) const {
+  if (plant_.payload()) return "a payload is attached already";
+  if (plant_.crash() != Crash::kNone) return "the vehicle has crashed";
+  const auto cargo = find(attach.name);
+  if (cargo == cargo_.end()) return "";
+  const State& state = plant_.state();
+  const Eigen::Vector3d place = state.position + state.attitude * cargo->payload.offset;
+  const double distance = (place - cargo->position).norm();
+  if (distance <= kReach) return "";
+  char text[128];
+  std::snprintf(text, sizeof(text), "%.60s is %.2f m away; it can be picked up within %.2f m",
+                attach.name.c_str(), distance, kReach);
+  return text;
+}
+
+void TimedPlant::attach(const AttachPayload& attach) {
+  const std::string reason = obstacle(attach);
+  if (!reason.empty()) {
+    refusals_.push_back({now_, reason});
+    return;
+  }
+  const auto cargo = find(attach.name);
+  if (cargo == cargo_.end()) {
+    plant_.attach(attach.payload);
+  } else {
+    plant_.attach(cargo->payload, cargo->velocity);
+    cargo_.erase(cargo);
+  }
+  attached_name_ = attach.name;
+}
+
+void TimedPlant::detach() {
+  if (!plant_.payload()) {
+    refusals_.push_back({now_, "no payload is attached"});
+    return;
+  }
+  const State& state = plant_.state();
+  const Payload payload = *plant_.payload();
+  plant_.detach();
+  cargo_.push_back({attached_name_, payload, state.position + state.attitude * payload.offset,
+                    state.velocity + state.attitude * state.body_rate.cross(payload.offset)});
+  attached_name_.clear();
+}
+
 void TimedPlant::apply(const PlantAction& action) {
-  if (const auto* attach = std::get_if<AttachPayload>(&action)) {
-    plant_.attach(attach->payload);
+  if (const auto* pick_up = std::get_if<AttachPayload>(&action)) {
+    attach(*pick_up);
   } else if (const auto* wind = std::get_if<SetWind>(&action)) {
     plant_.setWind(wind->velocity);
   } else {
-    plant_.detach();
+    detach();
   }
 }
 
@@ -47,6 +101,7 @@ void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
       events_.erase(events_.begin());
     }
     plant_.step(command, dt);
+    for (Cargo& cargo : cargo_) cargo.fall(dt);
     now_ += step_;
     if (!crash_time_ && plant_.crash() != Crash::kNone) crash_time_ = now_;
   }

@@ -11,6 +11,8 @@
 
 namespace aqc {
 
+class SubsystemSwitch;
+
 /// Most adaptive quantities one controller may report.
 constexpr int kMaxAdaptive = 64;
 using AdaptiveValues = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxAdaptive, 1>;
@@ -45,6 +47,18 @@ class Controller {
 
   /// Adaptive quantities back to their initial values.
   virtual void reset() noexcept = 0;
+
+  /// What an accelerometer at the origin of B read last, in B [m/s^2]: the force but gravity on a
+  /// unit of mass. Laws that use none ignore it; those that do hold it until the next one comes and
+  /// do without until the first.
+  virtual void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
+    static_cast<void>(specific_force);
+  }
+  /// Whether the law is meant to be fed by senseSpecificForce().
+  virtual bool needsImu() const noexcept { return false; }
+
+  /// The switching signal of a law with several subsystems, owned by the law; null for others.
+  virtual SubsystemSwitch* subsystems() noexcept { return nullptr; }
 
   /// Of the last update().
   virtual const Telemetry& telemetry() const noexcept = 0;

@@ -17,6 +17,13 @@ class FlightController {
   /// adaptive quantities are put back to their initial values. Allocates nothing, never throws.
   const Allocation& step(const State& state, const SetPoint* set_point, double dt) noexcept;
 
+  /// What an accelerometer at the origin of B read last, in B [m/s^2]; for laws that need it.
+  void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
+    law_->senseSpecificForce(specific_force);
+  }
+  /// The switching signal of a law with several subsystems; null for others.
+  SubsystemSwitch* subsystems() noexcept { return law_->subsystems(); }
+
   /// Of the last step().
   const Allocation& allocation() const noexcept { return allocation_; }
   const Controller& law() const noexcept { return *law_; }

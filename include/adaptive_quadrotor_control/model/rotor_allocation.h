@@ -30,7 +30,8 @@ class RotorAllocation {
   /// False when the rotors cannot give thrust, roll, pitch and yaw independently.
   bool wellPosed() const;
 
-  /// Never fails; a non-finite request gives zero speeds, reported as saturated.
+  /// Never fails; a request that is not finite, or so large that its numbers overflow, gives zero
+  /// speeds, reported as saturated.
   Allocation allocate(const Wrench& request) const noexcept;
 
   /// The wrench of given rotor speeds [rad/s].

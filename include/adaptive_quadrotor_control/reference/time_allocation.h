@@ -36,9 +36,9 @@ double requiredStretch(const PolynomialTrajectory& trajectory, const MotionLimit
 /// factor is not made so small that the longest segment lasts less than 0.1 s. Yaw is not limited.
 ///
 /// With all fixed derivatives zero the factor follows from scaling alone. Otherwise scaling would
-/// change them, so the trajectory is computed anew for growing factors until one keeps the limits,
-/// and that one is refined to 0.1 %. Here longer is not always better (a fixed acceleration held
-/// for long makes for high speed), so that there may be no such factor.
+/// change them, so the trajectory is computed anew for factors that grow by 10 % until one keeps
+/// the limits, and that one is refined to 0.1 %. Here longer is not always better (a fixed
+/// acceleration held for long makes for high speed), so that there may be no such factor.
 ///
 /// Throws std::invalid_argument as minimumSnap and estimateDurations do, when a fixed velocity or
 /// acceleration is itself beyond a limit, and when no factor up to 1000 is found.

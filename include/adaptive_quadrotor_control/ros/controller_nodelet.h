@@ -18,12 +18,12 @@ namespace aqc {
 /// The control law in ROS: a thin shell around FlightController.
 ///
 /// In: `odometry`, `command/trajectory`, `command/pose`. Out: `command/motor_speed`, `~state`.
-/// Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller), `~rate` [Hz],
-/// `~trigger`. All callbacks come from one queue in one thread, so nothing is locked.
+/// Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller), `~rate` [Hz]
+/// (default: `scenario/control_rate` where a scenario is loaded, else 250), `~trigger`. All callbacks come from one queue in one thread, so nothing is locked.
 ///
 /// `~trigger: timer` runs the law at `~rate` by ROS time on the latest odometry; `odometry` runs
-/// it when odometry that is due arrives, which a lock-stepped simulation needs. Before the first
-/// good odometry and the first set point only zero speeds are published.
+/// it when odometry that is due arrives and answers every odometry, which a lock-stepped
+/// simulation needs. Before the first good odometry and the first set point only zero speeds are published.
 class ControllerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override;
@@ -37,7 +37,8 @@ class ControllerNodelet : public nodelet::Nodelet {
 
   void accept(std::vector<TimedSetPoint> set_points, Nanoseconds now, const ros::Time& stamp);
   void step(Nanoseconds now, double dt);
-  void publish();
+  void publishMotors();
+  void publishState();
 
   std::unique_ptr<FlightController> controller_;
   SetPointSchedule schedule_;

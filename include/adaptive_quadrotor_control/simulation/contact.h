@@ -2,14 +2,16 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "adaptive_quadrotor_control/model/vehicle.h"
+#include "adaptive_quadrotor_control/simulation/box.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
 
 namespace aqc {
 
 /// Why a flight ended on the ground.
-enum class Crash { kNone, kHardImpact, kTiltedContact, kRotorStrike };
+enum class Crash { kNone, kHardImpact, kTiltedContact, kRotorStrike, kWallStrike };
 const char* toString(Crash crash);
 
 /// Force and moment about the centre of mass.
@@ -18,17 +20,17 @@ struct ForceMoment {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< in B [N m]
 };
 
-/// Contact of a vehicle and its payload with the flat ground z = 0, at points: four feet, the hub
-/// of every rotor and the payload's four lower corners. Each point pushes back as a damped spring
+/// Contact of a vehicle and its payload with the flat ground z = 0 and with walls, at points: four
+/// feet, the hub of every rotor and the payload's four lower corners. Each point pushes back as a damped spring
 /// along the normal (never pulls) and by friction, viscous up to the Coulomb limit.
 class Contact {
  public:
-  explicit Contact(const Vehicle& vehicle);
+  Contact(const Vehicle& vehicle, std::vector<Box> walls);
 
   void setPayload(const Payload* payload);
 
-  /// Distance from the origin of B within which all points lie [m].
-  double reach() const noexcept { return reach_; }
+  /// False when nothing can touch while the origin of B is within `margin` [m] of `position` (W).
+  bool near(const Eigen::Vector3d& position, double margin) const noexcept;
 
   /// Contact force on a body whose origin is at `position` (W), with rotation R_B^W, velocity of
   /// the origin `velocity` (W) and `body_rate` (B); the moment is about `centre_of_mass` (in B).
@@ -36,8 +38,8 @@ class Contact {
                     const Eigen::Vector3d& velocity, const Eigen::Vector3d& body_rate,
                     const Eigen::Vector3d& centre_of_mass) const noexcept;
 
-  /// Whether any point touches, and whether that is a crash: a rotor that touches, a contact
-  /// faster than kCrashSpeed, or one while tilted by more than kCrashTilt.
+  /// Whether any point touches, and whether that is a crash: anything that touches a wall, a rotor
+  /// that touches, a contact faster than kCrashSpeed, or one while tilted by more than kCrashTilt.
   struct Judgement {
     bool touching = false;
     Crash crash = Crash::kNone;
@@ -51,10 +53,17 @@ class Contact {
  private:
   static constexpr int kFeet = 4;
   static constexpr int kCorners = 4;
+
+  // Calls visit(index, point in B, penetration, is a wall) for every point that is inside something.
+  template <class Visit>
+  void forEachTouch(const Eigen::Vector3d& position, const Eigen::Matrix3d& rotation,
+                    Visit visit) const noexcept;
+
   std::array<Eigen::Vector3d, kFeet + kMaxRotors + kCorners> points_;  // in B; feet, hubs, corners
+  std::vector<Box> walls_;
   int rotor_count_;
   int point_count_;
-  double reach_ = 0.0;
+  double reach_ = 0.0;  // all points lie this close to the origin of B [m]
   double stiffness_;  // a point [N/m]
   double damping_;    // a point, along the normal and across it [N s/m]
 };

@@ -30,6 +30,7 @@ struct FlightLog {
   std::vector<FlightSample> samples;
   std::optional<Nanoseconds> crash_time;
   std::string crash_reason;
+  std::vector<TimedPlant::Refusal> refusals;  ///< events that had become impossible
   double real_time_factor = 0.0;  ///< simulated time / wall time; 0 when not measured
 };
 

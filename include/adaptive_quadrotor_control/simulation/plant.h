@@ -2,11 +2,13 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/simulation/contact.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
+#include "adaptive_quadrotor_control/simulation/plain_vector.h"
 
 namespace aqc {
 
@@ -20,7 +22,7 @@ namespace aqc {
 /// Deterministic and free of clocks; step() allocates nothing.
 class Plant {
  public:
-  Plant(const Vehicle& vehicle, const State& start);
+  Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls = {});
 
   /// Advances by `dt` seconds (> 0, about 1e-3) under commanded rotor speeds [rad/s], held over
   /// the step. A command entry that is not finite counts as 0, others are clamped. After a crash the
@@ -32,14 +34,15 @@ class Plant {
   const RotorArray& rotorSpeeds() const noexcept { return speeds_; }
   /// What an accelerometer at the origin of B reads [m/s^2], in B, at the start of the last step.
   const Eigen::Vector3d& specificForce() const noexcept { return specific_force_; }
-  /// Whether anything touches the ground.
+  /// Whether anything touches the ground or a wall.
   bool touching() const noexcept { return touching_; }
   /// The first crash, or Crash::kNone.
   Crash crash() const noexcept { return crash_; }
 
-  /// Fixes a payload, at rest in W until now, to the vehicle; total momentum is kept. Throws
-  /// std::logic_error when one is attached already.
-  void attach(const Payload& payload);
+  /// Fixes a payload, which moved with `velocity` in W [m/s] and did not spin until now, to the
+  /// vehicle; total momentum is kept. Throws std::logic_error when one is attached already.
+  void attach(const Payload& payload,
+              const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
   /// Lets go of the payload; the vehicle's own motion goes on. Throws std::logic_error without one.
   void detach();
   const std::optional<Payload>& payload() const noexcept { return payload_; }
@@ -58,45 +61,46 @@ class Plant {
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& point) const;
 
  private:
-  // What RK4 integrates: motion of the centre of mass.
-  struct Motion {
-    Eigen::Vector3d position;
-    Eigen::Vector3d velocity;
-    Eigen::Vector4d attitude;  // quaternion coefficients x, y, z, w
-    Eigen::Vector3d body_rate;
+  // A rotor's place and sense of rotation.
+  struct Hub {
+    double x, y;              // from the centre of mass, in B [m]
+    double distance_squared;  // from its vertical axis [m^2]
+    double yaw;               // moment / thrust [m]
   };
   // Everything the rotors' speeds alone decide, at one instant.
   struct RotorLoads {
-    double thrust = 0.0;
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // about the centre of mass
-    double speed_sum = 0.0;                            // S = sum |omega_i|
-    Eigen::Vector2d speed_moment = Eigen::Vector2d::Zero();  // sum |omega_i| r_i
-    double speed_inertia = 0.0;                        // sum |omega_i| |r_i|^2
+    double thrust;
+    Plain3 moment;          // about the centre of mass, in B
+    double speed_sum;       // sum |omega_i|
+    double speed_moment_x;  // sum |omega_i| r_i
+    double speed_moment_y;
+    double speed_inertia;   // sum |omega_i| |r_i|^2
   };
+  struct Motion;
 
   void updateMassProperties();
-  Motion motion() const;
-  void setMotion(const Motion& motion);
+  void setMotion(const Motion& motion) noexcept;
   RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
-  ForceMoment aerodynamics(const RotorLoads& rotors, const Eigen::Vector3d& air_velocity,
-                           const Eigen::Vector3d& body_rate) const noexcept;
+  ForceMoment contactForce(const Motion& motion) const noexcept;
   Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
 
   Vehicle vehicle_;
   std::optional<Payload> payload_;
   Contact contact_;
   double mass_;
+  double inverse_mass_;
   Eigen::Vector3d centre_;
   Eigen::Matrix3d inertia_;
   Eigen::Matrix3d inverse_inertia_;
-  std::array<Eigen::Vector3d, kMaxRotors> hubs_;  // from the centre of mass, in B
+  std::array<Hub, kMaxRotors> hubs_;
 
   State state_;
   RotorArray speeds_;
+  RotorLoads loads_;  // of speeds_
   Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();
   ForceMoment disturbance_;
-  bool near_ground_ = true;
+  bool near_contact_ = true;
   bool touching_ = false;
   Crash crash_ = Crash::kNone;
   double step_ = 0.0;           // of the decay factors [s]

@@ -30,6 +30,8 @@ struct Scenario {
   State start;
   std::vector<TimedSetPoint> set_points;    ///< by time
   std::vector<PlantEvent> events;           ///< by time
+  std::vector<Cargo> cargo;                 ///< payloads that lie about at the start
+  std::vector<Box> walls;
   Nanoseconds metrics_from = 0;             ///< RMS errors count from here to the end
   std::map<std::string, RmsErrors> published;  ///< by controller
 

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "adaptive_quadrotor_control/model/time.h"
+#include "adaptive_quadrotor_control/simulation/cargo.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
 
 namespace aqc {
 
+/// Picks up the cargo of that name, or, if there is none, lets the payload appear where it fits.
 struct AttachPayload {
+  std::string name;
   Payload payload;
 };
 struct DetachPayload {};
@@ -24,34 +28,58 @@ struct PlantEvent {
   PlantAction action;
 };
 
-/// A plant with a clock that counts whole steps, and with events that act exactly at the first
-/// step not before their time. The offline flight and the ROS plant node both run this class.
+/// A plant with a clock that counts whole steps, with payloads that lie about, and with events that
+/// act exactly at the first step not before their time. The offline flight and the ROS plant node
+/// both run this class.
 class TimedPlant {
  public:
   /// `step` > 0 is the integration step; the clock starts at `start`.
-  TimedPlant(Plant plant, Nanoseconds step, Nanoseconds start = 0);
+  TimedPlant(Plant plant, std::vector<Cargo> cargo, Nanoseconds step, Nanoseconds start = 0);
 
   /// Plans an event; one whose time has passed acts at the next step. Throws std::logic_error when
   /// the payload events would not alternate: attach, detach, attach, ...
   void schedule(const PlantEvent& event);
 
+  /// Whether a payload of that name lies about or hangs under the vehicle.
+  bool knows(const std::string& name) const;
+  /// Empty when a payload may be picked up from where it is now, else why not. Cargo can be picked
+  /// up within kReach of the place under the vehicle where it will hang.
+  std::string obstacle(const AttachPayload& attach) const;
+  static constexpr double kReach = 0.5;  ///< [m]
+
   /// Steps until the clock reads `until` (a whole number of steps away) under rotor speeds
-  /// [rad/s].
+  /// [rad/s]. An event that has become impossible is left out and told by refusals().
   void advance(const RotorArray& command, Nanoseconds until);
 
   Nanoseconds now() const noexcept { return now_; }
   const Plant& plant() const noexcept { return plant_; }
+  /// Payloads that are not attached.
+  const std::vector<Cargo>& cargo() const noexcept { return cargo_; }
+  /// Name of the attached payload; empty without one.
+  const std::string& attachedName() const noexcept { return attached_name_; }
   /// Time of the first crash.
   std::optional<Nanoseconds> crashTime() const noexcept { return crash_time_; }
 
+  struct Refusal {
+    Nanoseconds time;
+    std::string reason;
+  };
+  const std::vector<Refusal>& refusals() const noexcept { return refusals_; }
+
  private:
   void apply(const PlantAction& action);
+  void attach(const AttachPayload& attach);
+  void detach();
+  std::vector<Cargo>::const_iterator find(const std::string& name) const;
 
   Plant plant_;
+  std::vector<Cargo> cargo_;
+  std::string attached_name_;
   Nanoseconds step_;
   Nanoseconds now_;
   std::vector<PlantEvent> events_;  // still to come, by time
   std::optional<Nanoseconds> crash_time_;
+  std::vector<Refusal> refusals_;
 };
 
 }  // namespace aqc

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "adaptive_quadrotor_control/simulation/payload.h"
+
+namespace aqc {
+
+/// A payload on its own: it rests where it was put or falls until it meets the ground.
+struct Cargo {
+  std::string name;
+  Payload payload;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of its centre, in W [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< in W [m/s]
+
+  /// Free fall for `dt` seconds, without air drag and without turning; it stays where it lands.
+  void fall(double dt) noexcept;
+};
+
+}  // namespace aqc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "adaptive_quadrotor_control/simulation/flight_log.h"
+#include "adaptive_quadrotor_control/simulation/scenario.h"
+
+namespace aqc {
+
+/// One number of every sample of a flight.
+struct FlightColumn {
+  std::string name;                                  ///< with its unit: "velocity_x [m/s]"
+  std::function<double(const FlightSample&)> value;  ///< not-a-number where there is none
+};
+
+/// All columns of the CSV file of `log`, in order; adaptive quantities by their name and as many
+/// rotor speeds as the vehicle has rotors. SI units, angles in rad, W is ENU, B is FLU. What
+/// belongs to a set point is not-a-number while none is active.
+std::vector<FlightColumn> flightColumns(const FlightLog& log);
+
+/// The flight as CSV (RFC 4180): one header line, then a line a sample. Times have 12 significant
+/// digits, all else 9; not-a-number is an empty field.
+std::string flightCsv(const FlightLog& log);
+
+/// Metrics of all flights [m, deg, s]:
+///
+///     {"scenario": s, "flights": [{"controller": s, "rms": {"x", "y", "z", "roll", "pitch",
+///     "yaw"},
+///      "peak_altitude_error", "settled_altitude_error", "crashed": bool, "crash_time": s|null,
+///      "grounded_from": s|null, "duration": s, "real_time_factor": n|null}]}
+///
+/// What is not finite or was not measured is null. Throws std::invalid_argument as measure() does.
+nlohmann::json flightJson(const std::vector<FlightLog>& logs, const Scenario& scenario);
+
+/// The name of a flight's CSV file: `<controller>.csv`.
+std::string csvName(const FlightLog& log);
+
+/// Makes `folder` with all its parents. Throws std::runtime_error, also when it cannot be written.
+void makeFolder(const std::string& folder);
+
+/// Writes one file and makes sure that all of it has arrived. Throws std::runtime_error.
+void writeFile(const std::string& path, const std::string& text);
+
+/// Writes a CSV file a flight into `folder`, which is made if need be. Throws std::runtime_error.
+void writeFlightFiles(const std::string& folder, const std::vector<FlightLog>& logs);
+
+/// Writes flightJson() to `path`. Throws std::runtime_error and what flightJson() throws.
+void writeJson(const std::string& path, const std::vector<FlightLog>& logs,
+               const Scenario& scenario);
+
+}  // namespace aqc

@@ -1,0 +1,62 @@
+#include "adaptive_quadrotor_control/control/lyapunov.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <stdexcept>
+
+namespace aqc {
+namespace {
+
+constexpr double kTolerance = 1e-9;  // relative
+
+bool isHurwitz(const Eigen::MatrixXd& A) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, /*computeEigenvectors=*/false);
+  return solver.info() == Eigen::Success && solver.eigenvalues().real().maxCoeff() < 0.0;
+}
+
+bool isPositiveDefinite(const Eigen::MatrixXd& matrix) {
+  return (matrix - matrix.transpose()).norm() <= kTolerance * matrix.norm() &&
+         eigenvalueRange(matrix).min > 0.0;
+}
+
+// The matrix of the linear map P -> A'P + P A on the columns of P one below the other.
+Eigen::MatrixXd lyapunovOperator(const Eigen::MatrixXd& A) {
+  const Eigen::Index n = A.rows();
+  Eigen::MatrixXd map = Eigen::MatrixXd::Zero(n * n, n * n);
+  for (Eigen::Index column = 0; column < n; ++column) {
+    map.block(column * n, column * n, n, n) += A.transpose();
+    for (Eigen::Index other = 0; other < n; ++other) {
+      map.block(column * n, other * n, n, n).diagonal().array() += A(other, column);
+    }
+  }
+  return map;
+}
+
+}  // namespace
+
+EigenvalueRange eigenvalueRange(const Eigen::MatrixXd& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
+  return {solver.eigenvalues().minCoeff(), solver.eigenvalues().maxCoeff()};
+}
+
+Eigen::MatrixXd solveLyapunov(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
+  const Eigen::Index n = A.rows();
+  if (A.cols() != n || Q.rows() != n || Q.cols() != n || !A.allFinite() || !Q.allFinite()) {
+    throw std::domain_error("A and Q must be square, of one size and finite");
+  }
+  if (!isPositiveDefinite(Q)) throw std::domain_error("Q is not symmetric positive definite");
+  if (!isHurwitz(A)) throw std::domain_error("A is not Hurwitz");
+
+  const Eigen::VectorXd right = -Eigen::Map<const Eigen::VectorXd>(Q.data(), n * n);
+  const Eigen::VectorXd solution = lyapunovOperator(A).fullPivLu().solve(right);
+  const Eigen::MatrixXd raw = Eigen::Map<const Eigen::MatrixXd>(solution.data(), n, n);
+  const Eigen::MatrixXd P = 0.5 * (raw + raw.transpose());
+  const double residual = (A.transpose() * P + P * A + Q).norm();
+  if (!(residual <= kTolerance * Q.norm())) {
+    throw std::domain_error("the Lyapunov equation is too badly scaled to be solved");
+  }
+  if (!isPositiveDefinite(P)) throw std::domain_error("P is not positive definite");
+  return P;
+}
+
+}  // namespace aqc

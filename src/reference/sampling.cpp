@@ -1,0 +1,26 @@
+#include "adaptive_quadrotor_control/reference/sampling.h"
+
+namespace aqc {
+
+SetPoint toSetPoint(const FlatOutput& output) {
+  SetPoint set_point;
+  set_point.position = output.derivative[0].head<3>();
+  set_point.velocity = output.derivative[1].head<3>();
+  set_point.acceleration = output.derivative[2].head<3>();
+  set_point.yaw = output.derivative[0][3];
+  set_point.yaw_rate = output.derivative[1][3];
+  return set_point;
+}
+
+std::vector<TimedSetPoint> sample(const PolynomialTrajectory& trajectory, Nanoseconds begin,
+                                  Nanoseconds period) {
+  std::vector<TimedSetPoint> set_points;
+  const Nanoseconds duration = fromSeconds(trajectory.duration());
+  for (Nanoseconds time = 0; time < duration; time += period) {
+    set_points.push_back({begin + time, toSetPoint(trajectory.evaluate(toSeconds(time)))});
+  }
+  set_points.push_back({begin + duration, toSetPoint(trajectory.evaluate(trajectory.duration()))});
+  return set_points;
+}
+
+}  // namespace aqc

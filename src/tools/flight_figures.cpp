@@ -1,0 +1,278 @@
+#include "adaptive_quadrotor_control/tools/flight_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+#include <variant>
+
+#include "adaptive_quadrotor_control/tools/flight_files.h"
+#include "figure_script.h"
+#include "gnuplot.h"
+#include "plotted_flight.h"
+
+namespace aqc {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLeastError = 0.01;  // [m], [rad]
+constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kCurveWidth = 2.0;
+constexpr double kRotorWidth = 1.4;
+constexpr double kKeyWidth = 4.0;
+constexpr const char* kTruthStyle = "lc rgb '#202020' lw 1.6 dt (9,6)";
+constexpr const char* kLimitStyle = "lc rgb '#202020' lw 1.6 dt (3,4)";
+constexpr std::array<const char*, 5> kNames = {"position", "position_error", "attitude_error",
+                                               "adaptation", "rotors"};
+
+std::string lineStyle(const std::string& colour, double width) {
+  char text[64];
+  std::snprintf(text, sizeof text, "lc rgb '%s' lw %g", colour.c_str(), width);
+  return text;
+}
+
+std::string print(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+std::vector<Figure::Phase> payloadPhases(const Scenario& scenario) {
+  std::vector<Figure::Phase> phases;
+  for (const PlantEvent& event : scenario.events) {
+    const double time = toSeconds(event.time);
+    if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
+      const std::string label = print("payload %g kg", attach->payload.mass);
+      phases.push_back({time, toSeconds(scenario.duration), label});
+    } else if (std::holds_alternative<DetachPayload>(event.action)) {
+      phases.back().to = time;
+    }
+  }
+  return phases;
+}
+
+// What a vector of three columns is called and measured in.
+struct VectorColumns {
+  std::array<const char*, 3> components;
+  const char* prefix;      // of the columns
+  const char* set_prefix;  // of the set point's columns, or null
+  const char* unit;        // of the columns
+  const char* label;       // of the axes, after the component
+  double scale;            // from the columns to the axes
+};
+
+const VectorColumns kPosition = {{"x", "y", "z"}, "", "set_", " [m]", " [m]", 1.0};
+const VectorColumns kPositionError = {{"x", "y", "z"}, "error_",     nullptr,
+                                      " [m]",          " error [m]", 1.0};
+const VectorColumns kAttitudeError = {{"roll", "pitch", "yaw"}, "error_", nullptr, " [rad]",
+                                      " error [deg]",           kDegrees};
+
+// Makes the figures of one set of flights.
+class FigureBuilder {
+ public:
+  FigureBuilder(const std::vector<FlightLog>& logs, const Scenario& scenario,
+                const Vehicle& vehicle)
+      : scenario_(scenario), vehicle_(vehicle), duration_(toSeconds(scenario.duration)) {
+    for (const FlightLog& log : logs) {
+      flights_.push_back(plottedFlight(log, scenario, flights_.size()));
+    }
+  }
+
+  /// In the order of kNames; one that has nothing to show has no panels.
+  std::vector<Figure> figures() const {
+    std::vector<Figure> all = {vectors("position", kPosition),
+                               vectors("position error", kPositionError),
+                               vectors("attitude error", kAttitudeError), adaptation(), rotors()};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].name = kNames[i];
+    return all;
+  }
+
+ private:
+  Figure frame(const std::string& what) const {
+    Figure figure;
+    figure.title = scenario_.title + " \u2013 " + what;
+    figure.duration = duration_;
+    figure.phases = payloadPhases(scenario_);
+    return figure;
+  }
+
+  // Names in the legend those flights that have a curve in the figure.
+  void addFlightKeys(Figure& figure) const {
+    for (const PlottedFlight& flight : flights_) {
+      const std::string file = csvName(*flight.log);
+      const auto draws = [&](const Panel& panel) {
+        return std::any_of(panel.curves.begin(), panel.curves.end(), [&](const Curve& curve) {
+          return curve.file == file && curve.style != kTruthStyle;
+        });
+      };
+      if (std::any_of(figure.panels.begin(), figure.panels.end(), draws)) {
+        figure.key.push_back({flight.title, lineStyle(flight.colour, kKeyWidth)});
+      }
+    }
+  }
+
+  static void setRange(Panel& panel, const Extent& range, double scale) {
+    if (range.empty()) return;
+    const double least = 0.1 * std::abs(range.high) + 1e-9;  // for a constant
+    const double margin = 0.05 * std::max(range.span(), least);
+    panel.low = (range.low - margin) * scale;
+    panel.high = (range.high + margin) * scale;
+  }
+
+  // One column of all flights that have it, beside a curve that all flights share.
+  Panel panelOf(const std::string& label, const std::string& column, double scale,
+                const Extent& reference) const {
+    Panel panel;
+    panel.label = label;
+    setRange(panel, readableRange(flights_, column, reference), scale);
+    for (const PlottedFlight& flight : flights_) {
+      if (flight.extent(column).empty()) continue;
+      panel.curves.push_back({csvName(*flight.log), column, lineStyle(flight.colour, kCurveWidth),
+                              flight.end, scale, 0.0});
+      if (const auto end = flight.endPoint(column, scale)) panel.ends.push_back(*end);
+    }
+    return panel;
+  }
+
+  // The same in every flight; drawn on top, thin and dashed.
+  Curve sharedCurve(const std::string& column, double offset) const {
+    return {csvName(*flights_.front().log), column, kTruthStyle, duration_, 1.0, offset};
+  }
+
+  Figure vectors(const std::string& what, const VectorColumns& columns) const {
+    Figure figure = frame(what);
+    if (columns.set_prefix != nullptr) figure.key.push_back({"set point", kTruthStyle});
+    for (const std::string component : columns.components) {
+      const bool has_set_point = columns.set_prefix != nullptr;
+      const std::string set_point =
+          has_set_point ? columns.set_prefix + component + columns.unit : "";
+      Extent reference = has_set_point ? flights_.front().extent(set_point) : Extent{0.0, 0.0};
+      // Rounding errors of a flight that stands still are not worth a look.
+      reference.include(Extent{reference.low - kLeastError, reference.high + kLeastError});
+      Panel panel = panelOf(component + columns.label, columns.prefix + component + columns.unit,
+                            columns.scale, reference);
+      if (has_set_point) {
+        panel.curves.insert(panel.curves.begin(), sharedCurve(set_point, 0.0));
+      }
+      figure.panels.push_back(panel);
+    }
+    addFlightKeys(figure);
+    return figure;
+  }
+
+  // The mass estimate beside the truth, and every adaptive quantity any law reports.
+  Figure adaptation() const {
+    Figure figure = frame("what the control law adapts");
+    Panel mass = massPanel();
+    if (!mass.curves.empty()) {
+      mass.curves.insert(mass.curves.begin(), sharedCurve("payload_mass [kg]", vehicle_.mass));
+      figure.key.push_back({"true mass with payload", kTruthStyle});
+      figure.panels.push_back(mass);
+    }
+    std::vector<std::string> names;
+    for (const PlottedFlight& flight : flights_) {
+      for (const std::string& name : flight.log->adaptive_names) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      }
+    }
+    for (const std::string& name : names) {
+      const Panel panel = panelOf(name, name, 1.0, {});
+      if (!panel.curves.empty()) figure.panels.push_back(panel);
+    }
+    addFlightKeys(figure);
+    return figure;
+  }
+
+  Panel massPanel() const {
+    Extent truth = flights_.front().extent("payload_mass [kg]");
+    truth.low += vehicle_.mass;
+    truth.high += vehicle_.mass;
+    return panelOf("mass estimate [kg]", "mass_estimate [kg]", 1.0, truth);
+  }
+
+  // A panel a flight: how near its rotors come to their limit.
+  Figure rotors() const {
+    Figure figure = frame("commanded rotor speeds");
+    for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
+      figure.key.push_back(
+          {"rotor " + std::to_string(i + 1), lineStyle(paletteColour(i), kKeyWidth)});
+    }
+    figure.key.push_back({print("limit %g rad/s", vehicle_.max_rotor_speed), kLimitStyle});
+    for (const PlottedFlight& flight : flights_) figure.panels.push_back(rotorPanel(flight));
+    return figure;
+  }
+
+  Panel rotorPanel(const PlottedFlight& flight) const {
+    Panel panel;
+    panel.label = flight.log->controller + " [rad/s]";
+    panel.high = 1.08 * vehicle_.max_rotor_speed;
+    const std::string file = csvName(*flight.log);
+    panel.curves.push_back({file, "t [s]", kLimitStyle, duration_, 0.0, vehicle_.max_rotor_speed});
+    for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
+      panel.curves.push_back({file, "rotor_" + std::to_string(i + 1) + " [rad/s]",
+                              lineStyle(paletteColour(i), kRotorWidth), flight.end, 1.0, 0.0});
+    }
+    if (auto end = flight.endPoint("rotor_1 [rad/s]", 1.0)) {
+      end->value = 0.0;
+      panel.ends.push_back(*end);
+    }
+    return panel;
+  }
+
+  const Scenario& scenario_;
+  const Vehicle& vehicle_;
+  double duration_;
+  std::vector<PlottedFlight> flights_;
+};
+
+// gnuplot does not always notice a full disk; a whole PNG ends with the chunk IEND.
+void checkPng(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  constexpr std::size_t kTail = 8;  // "IEND" and its checksum
+  if (bytes.size() < kTail || bytes.compare(bytes.size() - kTail, 4, "IEND") != 0) {
+    throw std::runtime_error("gnuplot could not write all of '" + path.string() + "'");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> drawFigures(const std::string& folder, const std::vector<FlightLog>& logs,
+                                     const Scenario& scenario, const Vehicle& vehicle,
+                                     const std::function<void(double)>& progress) {
+  for (const std::string name : kNames) {
+    std::error_code ignored;  // nothing to remove
+    fs::remove(fs::path(folder) / (name + ".png"), ignored);
+    fs::remove(fs::path(folder) / (name + ".gnuplot"), ignored);
+  }
+  if (logs.empty()) return {};
+  std::vector<Figure> figures = FigureBuilder(logs, scenario, vehicle).figures();
+  figures.erase(std::remove_if(figures.begin(), figures.end(),
+                               [](const Figure& figure) { return figure.panels.empty(); }),
+                figures.end());
+  for (const Figure& figure : figures) {
+    writeFile((fs::path(folder) / (figure.name + ".gnuplot")).string(), figureScript(figure));
+  }
+  // Side by side: reading the CSV files takes gnuplot a second or two a figure.
+  std::vector<std::unique_ptr<Gnuplot>> runs;
+  for (const Figure& figure : figures) {
+    runs.push_back(std::make_unique<Gnuplot>(folder, figure.name + ".gnuplot"));
+  }
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i]->wait();
+    paths.push_back((fs::path(folder) / (figures[i].name + ".png")).string());
+    checkPng(paths.back());
+    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(runs.size()));
+  }
+  return paths;
+}
+
+}  // namespace aqc

@@ -1,0 +1,111 @@
+#include "plotted_flight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace aqc {
+namespace {
+
+// Okabe and Ito's palette.
+constexpr std::array<const char*, 7> kPalette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                 "#e69f00", "#56b4e9", "#606060"};
+
+// The same law has the same colour whatever it is compared with.
+std::string colourOf(const std::string& controller, std::size_t index) {
+  static const std::map<std::string, std::size_t> known = {
+      {"asmc", 0}, {"smc", 1}, {"geometric", 2}, {"switched", 3}};
+  const auto found = known.find(controller);
+  return paletteColour(found != known.end() ? found->second : known.size() + index);
+}
+
+std::string withTime(const char* what, double time) {
+  char text[64];
+  std::snprintf(text, sizeof text, " (%s %.1f s)", what, time);
+  return text;
+}
+
+}  // namespace
+
+void Extent::include(double value) {
+  if (std::isfinite(value)) include(Extent{value, value});
+}
+
+void Extent::include(const Extent& other) {
+  low = std::min(low, other.low);
+  high = std::max(high, other.high);
+}
+
+const FlightColumn* PlottedFlight::find(const std::string& name) const {
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const FlightColumn& column) { return column.name == name; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+Extent PlottedFlight::extent(const std::string& name) const {
+  Extent extent;
+  const FlightColumn* column = find(name);
+  if (column == nullptr) return extent;
+  for (const FlightSample& sample : log->samples) {
+    if (toSeconds(sample.time) <= end) extent.include(column->value(sample));
+  }
+  return extent;
+}
+
+std::optional<EndPoint> PlottedFlight::endPoint(const std::string& name, double scale) const {
+  const FlightColumn* column = find(name);
+  if (!log->crash_time || column == nullptr) return std::nullopt;
+  EndPoint point{end, std::numeric_limits<double>::quiet_NaN(), colour};
+  for (const FlightSample& sample : log->samples) {
+    if (toSeconds(sample.time) <= end) point.value = scale * column->value(sample);
+  }
+  if (!std::isfinite(point.value)) return std::nullopt;
+  return point;
+}
+
+PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario, std::size_t index) {
+  const FlightMetrics metrics = measure(log, scenario);
+  PlottedFlight flight;
+  flight.log = &log;
+  flight.columns = flightColumns(log);
+  flight.colour = colourOf(log.controller, index);
+  flight.end = metrics.crash_time.value_or(metrics.duration);
+  flight.title = log.controller;
+  if (metrics.crash_time) {
+    flight.title += withTime("crashed at", *metrics.crash_time);
+  } else if (metrics.grounded_from) {
+    flight.title += withTime("grounded at", *metrics.grounded_from);
+  }
+  return flight;
+}
+
+std::string paletteColour(std::size_t index) {
+  return kPalette[index % kPalette.size()];
+}
+
+Extent readableRange(const std::vector<PlottedFlight>& flights, const std::string& column,
+                     const Extent& reference) {
+  constexpr double kWild = 5.0;  // times the span of the calmest flight
+  constexpr double kRoom = 0.5;  // of the span, to either side
+  double calmest = std::numeric_limits<double>::infinity();
+  for (const PlottedFlight& flight : flights) {
+    const Extent extent = flight.extent(column);
+    if (flight.log->crash_time || extent.empty()) continue;
+    calmest = std::min(calmest, std::max(extent.span(), reference.span()));
+  }
+  const bool nobody_is_calm = std::isinf(calmest);
+  Extent range = reference;
+  Extent everything = reference;
+  for (const PlottedFlight& flight : flights) {
+    const Extent extent = flight.extent(column);
+    const bool calm = !flight.log->crash_time && extent.span() <= kWild * calmest;
+    if (calm || nobody_is_calm) range.include(extent);
+    everything.include(extent);
+  }
+  const double room = kRoom * range.span();
+  return {std::max(everything.low, range.low - room), std::min(everything.high, range.high + room)};
+}
+
+}  // namespace aqc

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_quadrotor_control/tools/flight_files.h"
+#include "figure_script.h"
+
+namespace aqc {
+
+/// Smallest and largest of some numbers.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return !(low <= high); }
+  double span() const { return empty() ? 0.0 : high - low; }
+  void include(double value);  ///< unless it is not finite
+  void include(const Extent& other);
+};
+
+/// A flight, and what every figure needs to know about it.
+struct PlottedFlight {
+  const FlightLog* log = nullptr;
+  std::vector<FlightColumn> columns;
+  std::string colour;
+  std::string title;  ///< in the legend
+  double end = 0.0;   ///< when it crashed, otherwise the end of the scenario [s]
+
+  const FlightColumn* find(const std::string& name) const;
+  /// Of a column until `end`: what lies on the ground afterwards tells nothing.
+  Extent extent(const std::string& name) const;
+  /// The last value of a column before the crash, if there was one.
+  std::optional<EndPoint> endPoint(const std::string& name, double scale) const;
+};
+
+/// `index`: of the flight among those in the figure.
+PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario, std::size_t index);
+
+/// Colour `index` of a palette that most colour-blind people can tell apart; repeats.
+std::string paletteColour(std::size_t index);
+
+/// The range that shows `reference` and all flights that did not crash. Those that did may widen it
+/// only by half to either side, and so may those many times wilder than the calmest one: a flight
+/// that diverges must not squeeze the rest into a line.
+Extent readableRange(const std::vector<PlottedFlight>& flights, const std::string& column,
+                     const Extent& reference);
+
+}  // namespace aqc

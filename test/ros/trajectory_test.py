@@ -1,0 +1,53 @@
+#!/usr/bin/python3
+"""Trajectories: every point acts at its time, refused ones change nothing."""
+import sys
+import unittest
+
+import rospy
+import rostest
+from uav import Uav, trajectory
+
+
+class Trajectory(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('trajectory_test')
+        cls.uav = Uav()
+        cls.uav.wait_until_ready()
+
+    def test_1_points_act_at_their_times(self):
+        begin = rospy.Time.from_sec(round(self.uav.now) + 20.0)
+        self.uav.trajectory.publish(trajectory(begin, [
+            (0.0, 0, 0, 1.0, 0.0), (4.0, 1.0, 0, 1.5, 0.0), (10.0, 1.0, 1.0, 1.5, 0.5)]))
+        end = begin.to_sec() + 25.0
+        self.uav.wait('the end of the trajectory', lambda: self.uav.now >= end)
+        seen = {}
+        for state in self.uav.states:
+            if state.flying:
+                p = state.desired_position
+                seen.setdefault((p.x, p.y, p.z), state.header.stamp.to_sec() - begin.to_sec())
+        self.assertEqual(list(seen), [(0, 0, 1.0), (1.0, 0, 1.5), (1.0, 1.0, 1.5)])
+        for first_seen, due in zip(seen.values(), [0.0, 4.0, 10.0]):
+            self.assertAlmostEqual(first_seen, due, delta=1e-6)
+        self.assertLess(self.uav.error(), 0.1)
+
+    def test_2_without_a_stamp_the_first_point_acts_now(self):
+        self.uav.trajectory.publish(trajectory(rospy.Time(0), [(0.0, 0, 0, 1.0, 0.0)]))
+        self.uav.wait('the new set point', lambda: self.uav.state.desired_position.z == 1.0)
+
+    def test_3_refuses_trajectories_that_are_none(self):
+        nan = float('nan')
+        bad = [trajectory(rospy.Time(0), []),
+               trajectory(rospy.Time(0), [(0.0, 0, 0, nan, 0.0)]),
+               trajectory(rospy.Time(0), [(2.0, 0, 0, 2.0, 0.0), (1.0, 0, 0, 3.0, 0.0)])]
+        before = self.uav.state
+        for count, message in enumerate(bad, start=1):
+            self.uav.trajectory.publish(message)
+            self.uav.wait('refusal %d' % count, lambda: self.uav.state.dropped_set_points ==
+                          before.dropped_set_points + count)
+        self.assertEqual(self.uav.state.desired_position, before.desired_position)
+        self.assertEqual(self.uav.state.trajectory_stamp, before.trajectory_stamp)
+
+
+if __name__ == '__main__':
+    rostest.rosrun('adaptive_quadrotor_control', 'trajectory', Trajectory, sys.argv)

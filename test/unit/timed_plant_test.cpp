@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+#include "support/fixtures.h"
+
+namespace aqc {
+namespace {
+
+constexpr Nanoseconds kMillisecond = 1'000'000;
+
+RotorArray off() { return RotorArray::Zero(4); }
+
+TimedPlant plantAt(double altitude, Nanoseconds start = 0) {
+  State state;
+  state.position.z() = altitude;
+  return TimedPlant(Plant(test::pelican(), state), {}, kMillisecond, start);
+}
+
+TEST(TimedPlant, CountsWholeSteps) {
+  TimedPlant plant = plantAt(100.0, 5 * kMillisecond);
+  EXPECT_EQ(plant.now(), 5 * kMillisecond);
+  plant.advance(off(), 25 * kMillisecond);
+  EXPECT_EQ(plant.now(), 25 * kMillisecond);
+  EXPECT_NEAR(plant.plant().state().velocity.z(), -kGravity * 0.02, 1e-12);
+  plant.advance(off(), 25 * kMillisecond);
+  EXPECT_EQ(plant.now(), 25 * kMillisecond) << "nothing to do";
+}
+
+TEST(TimedPlant, NeedsAPositiveStep) {
+  const Plant plant(test::pelican(), State());
+  EXPECT_THROW(TimedPlant(plant, {}, 0), std::invalid_argument);
+  EXPECT_THROW(TimedPlant(plant, {}, -1), std::invalid_argument);
+}
+
+TEST(TimedPlant, EventsActExactlyAtTheirTime) {
+  TimedPlant plant = plantAt(100.0);
+  plant.schedule({20 * kMillisecond, AttachPayload{"box", test::box(0.5)}});
+  plant.schedule({30 * kMillisecond, DetachPayload{}});
+  plant.advance(off(), 20 * kMillisecond);
+  EXPECT_FALSE(plant.plant().payload().has_value()) << "its step begins at 20 ms";
+  // 2 kg that fell for 20 ms share their momentum with half a kilogram at rest.
+  plant.advance(off(), 21 * kMillisecond);
+  EXPECT_TRUE(plant.plant().payload().has_value());
+  EXPECT_NEAR(plant.plant().state().velocity.z(), -kGravity * (0.8 * 0.02 + 0.001), 1e-12);
+  plant.advance(off(), 30 * kMillisecond);
+  EXPECT_TRUE(plant.plant().payload().has_value());
+  plant.advance(off(), 31 * kMillisecond);
+  EXPECT_FALSE(plant.plant().payload().has_value());
+}
+
+TEST(TimedPlant, EventsBetweenStepsActAtTheNextStep) {
+  TimedPlant plant = plantAt(100.0);
+  plant.schedule({20 * kMillisecond + 1, AttachPayload{"box", test::box(0.5)}});
+  plant.advance(off(), 21 * kMillisecond);
+  EXPECT_FALSE(plant.plant().payload().has_value());
+  plant.advance(off(), 22 * kMillisecond);
+  EXPECT_TRUE(plant.plant().payload().has_value());
+}
+
+TEST(TimedPlant, EventsActTheSameHoweverTheTimeIsCut) {
+  TimedPlant once = plantAt(100.0);
+  TimedPlant often = plantAt(100.0);
+  for (TimedPlant* plant : {&once, &often}) {
+    plant->schedule({7 * kMillisecond, SetWind{{3.0, 0.0, 0.0}}});
+    plant->schedule({13 * kMillisecond, AttachPayload{"box", test::box(0.5)}});
+  }
+  const RotorArray command = RotorArray::Constant(4, 700.0);
+  once.advance(command, 40 * kMillisecond);
+  for (int i = 1; i <= 40; ++i) often.advance(command, i * kMillisecond);
+  EXPECT_TRUE(test::sameBits(once.plant().state(), often.plant().state()));
+}
+
+TEST(TimedPlant, OverdueEventsActAtOnce) {
+  TimedPlant plant = plantAt(100.0, 50 * kMillisecond);
+  plant.schedule({10 * kMillisecond, AttachPayload{"box", test::box(0.5)}});
+  plant.advance(off(), 51 * kMillisecond);
+  EXPECT_TRUE(plant.plant().payload().has_value());
+}
+
+TEST(TimedPlant, EventsOfOneTimeKeepTheirOrder) {
+  TimedPlant plant = plantAt(100.0);
+  plant.schedule({10 * kMillisecond, AttachPayload{"box", test::box(0.5)}});
+  plant.schedule({20 * kMillisecond, DetachPayload{}});
+  plant.schedule({20 * kMillisecond, AttachPayload{"crate", test::box(0.9)}});
+  plant.advance(off(), 21 * kMillisecond);
+  ASSERT_TRUE(plant.plant().payload().has_value());
+  EXPECT_EQ(plant.plant().payload()->mass, 0.9);
+}
+
+TEST(TimedPlant, PayloadEventsMustAlternate) {
+  TimedPlant plant = plantAt(100.0);
+  EXPECT_THROW(plant.schedule({0, DetachPayload{}}), std::logic_error);
+  plant.schedule({20 * kMillisecond, AttachPayload{"box", test::box(0.5)}});
+  EXPECT_THROW(plant.schedule({30 * kMillisecond, AttachPayload{"box", test::box(0.5)}}),
+               std::logic_error);
+  EXPECT_THROW(plant.schedule({10 * kMillisecond, DetachPayload{}}), std::logic_error);
+  // A refused event leaves no trace.
+  plant.schedule({30 * kMillisecond, DetachPayload{}});
+  plant.schedule({40 * kMillisecond, AttachPayload{"crate", test::box(0.7)}});
+  plant.advance(off(), 50 * kMillisecond);
+  ASSERT_TRUE(plant.plant().payload().has_value());
+  EXPECT_EQ(plant.plant().payload()->mass, 0.7);
+  EXPECT_THROW(plant.schedule({0, AttachPayload{"box", test::box(0.5)}}), std::logic_error);
+}
+
+TEST(TimedPlant, ADetachedPayloadFallsAndCanBePickedUpAgain) {
+  TimedPlant plant = plantAt(100.0);
+  plant.schedule({0, AttachPayload{"box", test::box(0.5)}});
+  plant.schedule({10 * kMillisecond, DetachPayload{}});
+  plant.advance(off(), 5 * kMillisecond);
+  EXPECT_EQ(plant.attachedName(), "box");
+  EXPECT_TRUE(plant.cargo().empty());
+  plant.advance(RotorArray::Constant(4, 800.0), 200 * kMillisecond);
+  ASSERT_EQ(plant.cargo().size(), 1u);
+  EXPECT_EQ(plant.attachedName(), "");
+  const Cargo& box = plant.cargo().front();
+  EXPECT_NEAR(box.velocity.z(), -kGravity * 0.2, 0.05);
+  EXPECT_LT(box.position.z(), plant.plant().state().position.z() - 0.15);
+  // It moves with the vehicle's momentum when it is taken up in flight.
+  const Eigen::Vector3d expected =
+      (2.0 * plant.plant().state().velocity + 0.5 * box.velocity) / 2.5;
+  ASSERT_EQ(plant.obstacle({"box", test::box(0.5)}), "");
+  plant.schedule({0, AttachPayload{"box", test::box(0.5)}});
+  plant.advance(off(), 201 * kMillisecond);
+  EXPECT_EQ(plant.attachedName(), "box");
+  EXPECT_TRUE(plant.cargo().empty());
+  EXPECT_NEAR(plant.plant().state().velocity.z(), expected.z(), 0.05);
+}
+
+TEST(TimedPlant, RefusesToPickUpWhatIsOutOfReachAndSaysWhy) {
+  State state;
+  state.position.z() = 10.0;
+  const std::vector<Cargo> cargo = {{"crate", test::box(0.5), {3.0, 0.0, 0.05}, {0.0, 0.0, 0.0}}};
+  TimedPlant plant(Plant(test::pelican(), state), cargo, kMillisecond);
+  plant.schedule({5 * kMillisecond, AttachPayload{"crate", test::box(0.5)}});
+  plant.advance(off(), 20 * kMillisecond);
+  EXPECT_FALSE(plant.plant().payload().has_value());
+  ASSERT_EQ(plant.refusals().size(), 1u);
+  EXPECT_EQ(plant.refusals()[0].time, 5 * kMillisecond);
+  EXPECT_NE(plant.refusals()[0].reason.find("crate is"), std::string::npos);
+  EXPECT_NE(plant.refusals()[0].reason.find("within 0.50 m"), std::string::npos);
+  EXPECT_EQ(plant.cargo().size(), 1u);
+}
+
+TEST(TimedPlant, ReportsACrashWithItsTime) {
+  TimedPlant plant = plantAt(1.0);
+  plant.advance(off(), 428 * kMillisecond);
+  EXPECT_FALSE(plant.crashTime().has_value());
+  plant.advance(off(), 2000 * kMillisecond);
+  // The feet reach 0.101 m below the origin: sqrt(2 * 0.899 / 9.81) = 0.4281 s.
+  ASSERT_TRUE(plant.crashTime().has_value());
+  EXPECT_EQ(*plant.crashTime(), 429 * kMillisecond);
+  EXPECT_EQ(plant.plant().crash(), Crash::kHardImpact);
+}
+
+}  // namespace
+}  // namespace aqc
