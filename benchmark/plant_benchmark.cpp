@@ -26,8 +26,7 @@ void plantStep(benchmark::State& state, bool loaded) {
   start.position.z() = 1000.0;
   Plant plant(vehicle, start);
   if (loaded) plant.attach(test::box(0.5));
-  const std::vector<RotorArray> commands =
-      commandsAround(test::hoverSpeeds(vehicle, plant.mass()));
+  const std::vector<RotorArray> commands = commandsAround(test::hoverSpeeds(vehicle, plant.mass()));
   const Plant fresh = plant;
   std::size_t next = 0;
   for (auto _ : state) {

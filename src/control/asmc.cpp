@@ -31,12 +31,11 @@ Asmc::Loop<Count>::Loop(const ParameterReader& reader)
       gains_(readGains(reader, std::make_index_sequence<Count>())) {}
 
 template <std::size_t Count>
-Eigen::Vector3d Asmc::Loop<Count>::update(const Eigen::Vector3d& error,
-                                          const Eigen::Vector3d& rate, double dt,
-                                          Eigen::Vector3d& sliding) noexcept {
+Eigen::Vector3d Asmc::Loop<Count>::update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
+                                          double dt, Eigen::Vector3d& sliding) noexcept {
   sliding = rate + slope_ * error;
   const double xi = std::sqrt(error.squaredNorm() + rate.squaredNorm());  // ||xi||
-  double drive = sliding.norm();  // ||s|| ||xi||^i
+  double drive = sliding.norm();                                          // ||s|| ||xi||^i
   double rho = 0.0;
   double power = 1.0;  // ||xi||^i
   for (AdaptiveGain& gain : gains_) {
@@ -62,8 +61,8 @@ Asmc::Asmc(const ParameterReader& reader)
 }
 
 Eigen::Vector3d Asmc::force(const SetPoint&, double dt) noexcept {
-  Eigen::Vector3d force = position_.update(telemetry_.position_error, telemetry_.velocity_error,
-                                           dt, telemetry_.sliding_position);
+  Eigen::Vector3d force = position_.update(telemetry_.position_error, telemetry_.velocity_error, dt,
+                                           telemetry_.sliding_position);
   force.z() += mass_.value() * kGravity;
   mass_.step(-telemetry_.sliding_position.z() * kGravity, dt);  // -s_p' g_p
   return force;

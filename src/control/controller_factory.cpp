@@ -15,18 +15,20 @@ using Maker = std::unique_ptr<Controller> (*)(const ParameterReader&, const Vehi
 // To add a law: write its class in a file of its own and add its line here.
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> table = {
-      {"asmc", [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<Controller> {
+      {"asmc",
+       [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<Controller> {
          return std::make_unique<Asmc>(reader);
        }},
-      {"geometric", [](const ParameterReader& reader,
-                       const Vehicle& vehicle) -> std::unique_ptr<Controller> {
+      {"geometric",
+       [](const ParameterReader& reader, const Vehicle& vehicle) -> std::unique_ptr<Controller> {
          return std::make_unique<Geometric>(reader, vehicle);
        }},
-      {"smc", [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<Controller> {
+      {"smc",
+       [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<Controller> {
          return std::make_unique<Smc>(reader);
        }},
-      {"switched", [](const ParameterReader& reader,
-                      const Vehicle& vehicle) -> std::unique_ptr<Controller> {
+      {"switched",
+       [](const ParameterReader& reader, const Vehicle& vehicle) -> std::unique_ptr<Controller> {
          return std::make_unique<Switched>(reader, vehicle);
        }},
   };

@@ -26,8 +26,7 @@ Smc::Smc(const ParameterReader& reader)
       attitude_(reader.child("attitude")) {}
 
 Eigen::Vector3d Smc::force(const SetPoint& set_point, double) noexcept {
-  const Eigen::Vector3d feed_forward =
-      set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d feed_forward = set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ();
   return position_.update(telemetry_.position_error, telemetry_.velocity_error, feed_forward,
                           telemetry_.sliding_position);
 }

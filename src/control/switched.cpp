@@ -20,7 +20,7 @@ SwitchedOutput idle() noexcept {
 
 // Roll, pitch, yaw and the matrix that turns body rates into their derivatives.
 struct EulerKinematics {
-  Eigen::Vector3d angles;      // (phi, theta, psi) [rad]
+  Eigen::Vector3d angles;  // (phi, theta, psi) [rad]
   Eigen::Matrix3d rate_matrix;
 };
 
@@ -82,8 +82,7 @@ Wrench Switched::update(const State& state, const SetPoint& set_point, double dt
   law_.adapt(active, in, out.filtered_error.norm(), dt);
   telemetry_.force = out.input[0] * (state.attitude * Eigen::Vector3d::UnitZ());
   report(out);
-  return {out.input[0],
-          {arm_length_ * out.input[1], arm_length_ * out.input[2], out.input[3]}};
+  return {out.input[0], {arm_length_ * out.input[1], arm_length_ * out.input[2], out.input[3]}};
 }
 
 void Switched::reset() noexcept {

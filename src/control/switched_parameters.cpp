@@ -65,8 +65,8 @@ void checkLeak(const ParameterReader& reader, const SubsystemParameters& paramet
                double varrho) {
   const double least = parameters.leak.minCoeff();
   if (!(least > 0.5 * varrho)) {
-    reader.refuse("leak", "holds " + print(least) + "; every leak must be > varrho / 2 = " +
-                              print(0.5 * varrho) +
+    reader.refuse("leak", "holds " + print(least) +
+                              "; every leak must be > varrho / 2 = " + print(0.5 * varrho) +
                               ", where varrho = lambda_min(Q) / lambda_max(P) (thesis eq. alpha)");
   }
 }
@@ -86,8 +86,8 @@ SubsystemParameters readSubsystem(const ParameterReader& reader) {
   try {
     checkLeak(reader, p, solveSubsystem(p).spectrum.decay());
   } catch (const std::domain_error& error) {
-    reader.refuse("weight", std::string("and the gains give no Lyapunov function: ") +
-                                error.what());
+    reader.refuse("weight",
+                  std::string("and the gains give no Lyapunov function: ") + error.what());
   }
   return p;
 }
@@ -124,8 +124,8 @@ SwitchedLaw readSwitchedLaw(const ParameterReader& reader, int most) {
 SubsystemSwitch readSubsystemSwitch(const ParameterReader& reader, const SwitchedLaw& law) {
   const double kappa_ratio = reader.number("kappa_ratio", Range::positive(), 0.9);
   if (!(kappa_ratio < 1.0)) {
-    reader.refuse("kappa_ratio", "is " + print(kappa_ratio) +
-                                     "; it must be > 0 and < 1 (thesis: kappa < varrho)");
+    reader.refuse("kappa_ratio",
+                  "is " + print(kappa_ratio) + "; it must be > 0 and < 1 (thesis: kappa < varrho)");
   }
   const DwellTime bound = averageDwellTime(law.spectra(), kappa_ratio);
   const Nanoseconds dwell_time = readDwellTime(reader, bound);

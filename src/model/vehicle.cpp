@@ -10,8 +10,7 @@ namespace {
 constexpr double kDegree = M_PI / 180.0;
 
 std::vector<Rotor> readRotors(const ParameterReader& reader) {
-  const std::vector<double> angles =
-      reader.numbers("angles_deg", 0, Range::between(-360.0, 360.0));
+  const std::vector<double> angles = reader.numbers("angles_deg", 0, Range::between(-360.0, 360.0));
   if (angles.size() < 4 || angles.size() > kMaxRotors) {
     reader.refuse("angles_deg", "lists " + std::to_string(angles.size()) +
                                     " rotors; it must list 4 to " + std::to_string(kMaxRotors));

@@ -95,7 +95,9 @@ YAML::Node ParameterReader::require(const std::string& key, const std::string& w
   return node;
 }
 
-bool ParameterReader::has(const std::string& key) const { return find(key).IsDefined(); }
+bool ParameterReader::has(const std::string& key) const {
+  return find(key).IsDefined();
+}
 
 double ParameterReader::toNumber(const YAML::Node& node, const std::string& full,
                                  const Range& range) const {
@@ -228,7 +230,9 @@ std::vector<std::string> ParameterReader::keys() const {
   return keys;
 }
 
-void ParameterReader::finish() const { refuseUnknown(tree_, name_, *known_); }
+void ParameterReader::finish() const {
+  refuseUnknown(tree_, name_, *known_);
+}
 
 YAML::Node loadYamlFile(const std::string& path) {
   std::ifstream file(path);
@@ -241,8 +245,8 @@ YAML::Node loadYamlFile(const std::string& path) {
     if (!tree.IsMap()) throw ParameterError("'" + path + "' must hold a map of names and values");
     return tree;
   } catch (const YAML::Exception& error) {
-    throw ParameterError("'" + path + "' is not YAML: line " +
-                         std::to_string(error.mark.line + 1) + ": " + error.msg);
+    throw ParameterError("'" + path + "' is not YAML: line " + std::to_string(error.mark.line + 1) +
+                         ": " + error.msg);
   }
 }
 

@@ -34,6 +34,8 @@ void SetPointSchedule::replace(Nanoseconds now, std::vector<TimedSetPoint> set_p
   *this = SetPointSchedule(std::move(set_points));
 }
 
-std::size_t SetPointSchedule::pending() const noexcept { return set_points_.size() - next_; }
+std::size_t SetPointSchedule::pending() const noexcept {
+  return set_points_.size() - next_;
+}
 
 }  // namespace aqc

@@ -54,8 +54,7 @@ void ControllerNodelet::connect() {
   motor_publisher_ = node.advertise<msgs::Actuators>("command/motor_speed", 100);
   state_publisher_ = getPrivateNodeHandle().advertise<msgs::ControllerState>("state", 10000);
   const auto fast = ros::TransportHints().tcpNoDelay();
-  odometry_subscriber_ =
-      node.subscribe("odometry", 10, &ControllerNodelet::onOdometry, this, fast);
+  odometry_subscriber_ = node.subscribe("odometry", 10, &ControllerNodelet::onOdometry, this, fast);
   trajectory_subscriber_ =
       node.subscribe("command/trajectory", 10, &ControllerNodelet::onTrajectory, this, fast);
   pose_subscriber_ = node.subscribe("command/pose", 10, &ControllerNodelet::onPose, this, fast);

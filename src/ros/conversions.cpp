@@ -38,9 +38,15 @@ ros::Time toRosTime(Nanoseconds time) {
   return result;
 }
 
-Eigen::Vector3d toEigen(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
-Eigen::Vector3d toEigen(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
-Eigen::Quaterniond toEigen(const geometry_msgs::Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
+Eigen::Vector3d toEigen(const geometry_msgs::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+Eigen::Vector3d toEigen(const geometry_msgs::Point& p) {
+  return {p.x, p.y, p.z};
+}
+Eigen::Quaterniond toEigen(const geometry_msgs::Quaternion& q) {
+  return {q.w, q.x, q.y, q.z};
+}
 
 geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& vector) {
   geometry_msgs::Vector3 message;

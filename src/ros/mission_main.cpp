@@ -3,8 +3,8 @@
 #include "adaptive_quadrotor_control/ros/mission_node.h"
 #include "adaptive_quadrotor_control/ros/parameter_tree.h"
 #include "adaptive_quadrotor_control/ros/run_node.h"
-#include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "adaptive_quadrotor_control/tools/flight_figures.h"
+#include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "adaptive_quadrotor_control/tools/flight_table.h"
 
 namespace {
@@ -30,4 +30,6 @@ int flyMission() {
 
 }  // namespace
 
-int main(int argc, char** argv) { return aqc::runNode(argc, argv, "mission", flyMission); }
+int main(int argc, char** argv) {
+  return aqc::runNode(argc, argv, "mission", flyMission);
+}

@@ -70,9 +70,8 @@ void MissionNode::sendSetPoints() {
     for (TimedSetPoint& timed : set_points) timed.time += begin_;
     return toTrajectory(set_points, begin_);
   }());
-  waitFor("the controller to accept the trajectory", [this] {
-    return state_ && toNanoseconds(state_->trajectory_stamp) == begin_;
-  });
+  waitFor("the controller to accept the trajectory",
+          [this] { return state_ && toNanoseconds(state_->trajectory_stamp) == begin_; });
 }
 
 template <class Service>

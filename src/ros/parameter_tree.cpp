@@ -8,10 +8,14 @@ namespace {
 YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& name) {
   using Value = XmlRpc::XmlRpcValue;
   switch (value.getType()) {
-    case Value::TypeBoolean: return YAML::Node(static_cast<bool>(value));
-    case Value::TypeInt: return YAML::Node(static_cast<int>(value));
-    case Value::TypeDouble: return YAML::Node(static_cast<double>(value));
-    case Value::TypeString: return YAML::Node(static_cast<std::string>(value));
+    case Value::TypeBoolean:
+      return YAML::Node(static_cast<bool>(value));
+    case Value::TypeInt:
+      return YAML::Node(static_cast<int>(value));
+    case Value::TypeDouble:
+      return YAML::Node(static_cast<double>(value));
+    case Value::TypeString:
+      return YAML::Node(static_cast<std::string>(value));
     case Value::TypeArray: {
       YAML::Node list(YAML::NodeType::Sequence);
       for (int i = 0; i < value.size(); ++i) {
@@ -36,6 +40,7 @@ YAML::Node parameterTree(const ros::NodeHandle& node, const std::string& key) {
   const std::string name = node.resolveName(key);
   XmlRpc::XmlRpcValue value;
   if (!node.getParam(key, value)) {
+    if (key.empty()) return YAML::Node(YAML::NodeType::Map);  // a node without any parameters
     throw ParameterError("parameter '" + name + "' is missing; load a YAML file there");
   }
   return toYaml(value, name);

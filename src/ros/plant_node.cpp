@@ -82,8 +82,8 @@ void PlantNode::onWallTimer(const ros::WallTimerEvent&) {
     if ((now - last_progress_).toSec() > kRepeatAfter) publish();
     return;
   }
-  double behind = (now - wall_start_).toSec() * real_time_factor_ -
-                  toSeconds(plant_->now() - run_start_);
+  double behind =
+      (now - wall_start_).toSec() * real_time_factor_ - toSeconds(plant_->now() - run_start_);
   if (behind > kLongestBacklog * real_time_factor_) {
     wall_start_ = now;
     run_start_ = plant_->now();
@@ -169,7 +169,8 @@ bool PlantNode::onAttach(msgs::AttachPayload::Request& request,
   if (!toEigen(request.inertia).isZero(0.0)) tree["inertia"] = list(request.inertia);
   try {
     AttachPayload attach{request.name, {}};
-    if (!plant_->knows(request.name)) attach.payload = readPayload(ParameterReader(tree, "payload"));
+    if (!plant_->knows(request.name))
+      attach.payload = readPayload(ParameterReader(tree, "payload"));
     const bool now = toNanoseconds(request.at) <= plant_->now();
     response.message = now ? plant_->obstacle(attach) : "";
     if (response.message.empty()) return plan(request.at, attach, response);
@@ -181,7 +182,8 @@ bool PlantNode::onAttach(msgs::AttachPayload::Request& request,
   return true;
 }
 
-bool PlantNode::onDetach(msgs::DetachPayload::Request& request, msgs::DetachPayload::Response& response) {
+bool PlantNode::onDetach(msgs::DetachPayload::Request& request,
+                         msgs::DetachPayload::Response& response) {
   return plan(request.at, DetachPayload{}, response);
 }
 

@@ -109,8 +109,7 @@ void WaypointNode::send(const PolynomialTrajectory& trajectory, std::uint8_t pha
   duration_ = trajectory.duration();
   phase_ = phase;
   const Nanoseconds begin = toNanoseconds(begin_);
-  trajectory_publisher_.publish(
-      toTrajectory(sample(trajectory, begin, set_point_period_), begin));
+  trajectory_publisher_.publish(toTrajectory(sample(trajectory, begin, set_point_period_), begin));
 }
 
 void WaypointNode::onPath(const nav_msgs::Path::ConstPtr& path) {

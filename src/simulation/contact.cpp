@@ -9,19 +9,24 @@
 namespace aqc {
 namespace {
 
-constexpr double kRestSink = 1e-3;      // of the feet under the empty vehicle [m]
-constexpr double kDampingRatio = 0.5;   // of the empty vehicle bouncing on its feet
-constexpr double kFriction = 0.7;       // Coulomb coefficient
+constexpr double kRestSink = 1e-3;     // of the feet under the empty vehicle [m]
+constexpr double kDampingRatio = 0.5;  // of the empty vehicle bouncing on its feet
+constexpr double kFriction = 0.7;      // Coulomb coefficient
 
 }  // namespace
 
 const char* toString(Crash crash) {
   switch (crash) {
-    case Crash::kNone: return "none";
-    case Crash::kHardImpact: return "hard impact";
-    case Crash::kTiltedContact: return "tilted contact";
-    case Crash::kRotorStrike: return "rotor strike";
-    case Crash::kWallStrike: return "wall strike";
+    case Crash::kNone:
+      return "none";
+    case Crash::kHardImpact:
+      return "hard impact";
+    case Crash::kTiltedContact:
+      return "tilted contact";
+    case Crash::kRotorStrike:
+      return "rotor strike";
+    case Crash::kWallStrike:
+      return "wall strike";
   }
   return "unknown";
 }

@@ -37,8 +37,9 @@ class MissionBuilder {
         {"detach", &MissionBuilder::detach}, {"wind", &MissionBuilder::wind}};
     const auto found = verbs.find(verb);
     if (found == verbs.end()) {
-      entry.refuse(verb, "is not a mission entry; it must be one of step, path, hold, attach, "
-                         "detach, wind, each in a list item of its own");
+      entry.refuse(verb,
+                   "is not a mission entry; it must be one of step, path, hold, attach, "
+                   "detach, wind, each in a list item of its own");
     }
     (this->*found->second)(entry.child(verb));
   }
@@ -97,9 +98,7 @@ class MissionBuilder {
     leg_end_ = end;
   }
 
-  void hold(const ParameterReader& entry) {
-    leg_end_ += fromSeconds(entry.number("for", kTime));
-  }
+  void hold(const ParameterReader& entry) { leg_end_ += fromSeconds(entry.number("for", kTime)); }
 
   void attach(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);

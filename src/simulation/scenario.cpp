@@ -60,8 +60,8 @@ void checkTimes(const ParameterReader& reader, const Scenario& scenario) {
   if (!scenario.events.empty()) last = std::max(last, scenario.events.back().time);
   if (scenario.duration < last) {
     reader.refuse("duration", "is " + std::to_string(toSeconds(scenario.duration)) +
-                                  " s; the mission lasts until " +
-                                  std::to_string(toSeconds(last)) + " s");
+                                  " s; the mission lasts until " + std::to_string(toSeconds(last)) +
+                                  " s");
   }
   if (scenario.metrics_from >= scenario.duration) {
     reader.refuse("metrics/from", "must be before the end of the flight");
@@ -103,8 +103,7 @@ Scenario readScenario(const ParameterReader& reader) {
   scenario.set_points = std::move(mission.set_points);
   scenario.events = std::move(mission.events);
 
-  scenario.metrics_from =
-      fromSeconds(reader.child("metrics").number("from", Range::nonNegative()));
+  scenario.metrics_from = fromSeconds(reader.child("metrics").number("from", Range::nonNegative()));
   if (reader.has("published")) {
     const ParameterReader published = reader.child("published");
     for (const std::string& name : published.keys()) {

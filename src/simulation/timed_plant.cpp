@@ -31,8 +31,9 @@ void TimedPlant::schedule(const PlantEvent& event) {
 }
 
 std::vector<Cargo>::const_iterator TimedPlant::find(const std::string& name) const {
-  return std::find_if(cargo_.begin(), cargo_.end(),
-                      [&name](const Cargo& cargo) { return cargo.name == name; });
+  return std::find_if(cargo_.begin(), cargo_.end(), [&name](const Cargo& cargo) {
+    return !name.empty() && cargo.name == name;  // a payload that appeared may have no name
+  });
 }
 
 bool TimedPlant::knows(const std::string& name) const {

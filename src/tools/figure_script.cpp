@@ -116,9 +116,9 @@ std::string curveText(const Curve& curve, double duration) {
          " notitle";
 }
 
-// About five steps of 1, 2 or 5 times a power of ten.
+// At most six steps of 1, 2 or 5 times a power of ten.
 double ticStep(const Panel& panel) {
-  const double raw = (panel.high - panel.low) / 5.0;
+  const double raw = (panel.high - panel.low) / 6.0;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= raw) return factor * power;

@@ -23,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLeastError = 0.01;  // [m], [rad]
+constexpr const char* kMassEstimate = "mass_estimate [kg]";
+constexpr const char* kPayloadMass = "payload_mass [kg]";
+constexpr int kPatience = 100;  // between two signs of life [ms]
 constexpr double kDegrees = 180.0 / M_PI;
 constexpr double kCurveWidth = 2.0;
 constexpr double kRotorWidth = 1.4;
@@ -141,9 +144,9 @@ class FigureBuilder {
     return panel;
   }
 
-  // The same in every flight; drawn on top, thin and dashed.
-  Curve sharedCurve(const std::string& column, double offset) const {
-    return {csvName(*flights_.front().log), column, kTruthStyle, duration_, 1.0, offset};
+  // What the flights are compared with; drawn on top, thin and dashed.
+  Curve sharedCurve(const PlottedFlight& flight, const std::string& column, double offset) const {
+    return {csvName(*flight.log), column, kTruthStyle, duration_, 1.0, offset};
   }
 
   Figure vectors(const std::string& what, const VectorColumns& columns) const {
@@ -159,7 +162,7 @@ class FigureBuilder {
       Panel panel = panelOf(component + columns.label, columns.prefix + component + columns.unit,
                             columns.scale, reference);
       if (has_set_point) {
-        panel.curves.insert(panel.curves.begin(), sharedCurve(set_point, 0.0));
+        panel.curves.insert(panel.curves.begin(), sharedCurve(flights_.front(), set_point, 0.0));
       }
       figure.panels.push_back(panel);
     }
@@ -170,11 +173,10 @@ class FigureBuilder {
   // The mass estimate beside the truth, and every adaptive quantity any law reports.
   Figure adaptation() const {
     Figure figure = frame("what the control law adapts");
-    Panel mass = massPanel();
-    if (!mass.curves.empty()) {
-      mass.curves.insert(mass.curves.begin(), sharedCurve("payload_mass [kg]", vehicle_.mass));
+    const auto estimator = std::find_if(flights_.begin(), flights_.end(), estimatesMass);
+    if (estimator != flights_.end()) {
       figure.key.push_back({"true mass with payload", kTruthStyle});
-      figure.panels.push_back(mass);
+      figure.panels.push_back(massPanel(*estimator));
     }
     std::vector<std::string> names;
     for (const PlottedFlight& flight : flights_) {
@@ -190,11 +192,18 @@ class FigureBuilder {
     return figure;
   }
 
-  Panel massPanel() const {
-    Extent truth = flights_.front().extent("payload_mass [kg]");
+  static bool estimatesMass(const PlottedFlight& flight) {
+    return !flight.extent(kMassEstimate).empty();
+  }
+
+  // `estimator` tells which payloads it really carried.
+  Panel massPanel(const PlottedFlight& estimator) const {
+    Extent truth = estimator.extent(kPayloadMass);
     truth.low += vehicle_.mass;
     truth.high += vehicle_.mass;
-    return panelOf("mass estimate [kg]", "mass_estimate [kg]", 1.0, truth);
+    Panel panel = panelOf("mass estimate [kg]", kMassEstimate, 1.0, truth);
+    panel.curves.insert(panel.curves.begin(), sharedCurve(estimator, kPayloadMass, vehicle_.mass));
+    return panel;
   }
 
   // A panel a flight: how near its rotors come to their limit.
@@ -265,12 +274,16 @@ std::vector<std::string> drawFigures(const std::string& folder, const std::vecto
   for (const Figure& figure : figures) {
     runs.push_back(std::make_unique<Gnuplot>(folder, figure.name + ".gnuplot"));
   }
+  const auto report = [&](std::size_t done) {
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(runs.size()));
+  };
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    while (!runs[i]->settled(kPatience)) report(i);
     runs[i]->wait();
     paths.push_back((fs::path(folder) / (figures[i].name + ".png")).string());
     checkPng(paths.back());
-    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(runs.size()));
+    report(i + 1);
   }
   return paths;
 }

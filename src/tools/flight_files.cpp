@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -149,6 +151,10 @@ nlohmann::json metricsJson(const FlightLog& log, const Scenario& scenario) {
     rms[kAxes[i]] = number(metrics.rms.position[static_cast<Eigen::Index>(i)]);
     rms[kAngles[i]] = number(metrics.rms.attitude[static_cast<Eigen::Index>(i)]);
   }
+  nlohmann::json refusals = nlohmann::json::array();
+  for (const auto& refusal : log.refusals) {
+    refusals.push_back({{"time", toSeconds(refusal.time)}, {"reason", refusal.reason}});
+  }
   return {
       {"controller", log.controller},
       {"rms", rms},
@@ -157,6 +163,7 @@ nlohmann::json metricsJson(const FlightLog& log, const Scenario& scenario) {
       {"crashed", metrics.crash_time.has_value()},
       {"crash_time", number(metrics.crash_time)},
       {"grounded_from", number(metrics.grounded_from)},
+      {"refusals", refusals},
       {"duration", number(metrics.duration)},
       {"real_time_factor", number(log.real_time_factor > 0.0 ? log.real_time_factor : kNothing)}};
 }

@@ -145,6 +145,17 @@ std::string heading(const Scenario& scenario, const Vehicle& vehicle, TableStyle
   return text + names + "\n" + std::string(names.size() + 16, '-') + "\n";
 }
 
+// Events of the scenario that this flight made impossible.
+std::string refusalLines(const FlightLog& log, TableStyle style) {
+  std::string text;
+  for (const auto& refusal : log.refusals) {
+    if (log.crash_time && refusal.time >= *log.crash_time) break;  // no wonder
+    const std::string when = "  at " + seconds(toSeconds(refusal.time)) + ": ";
+    text += paint(when + refusal.reason, kYellow, style) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 TableStyle styleOfStdout() {
@@ -164,10 +175,12 @@ std::string flightTable(const std::vector<FlightLog>& logs, const Scenario& scen
     text += paint(line(flownRow(log, metrics)), kBold, style) + "   " +
             outcome(log, metrics, style) + "\n";
     const auto published = scenario.published.find(log.controller);
-    if (published == scenario.published.end()) continue;
-    for (const Row& row : publishedRows(metrics.rms, published->second)) {
-      text += paint(rightTrimmed(line(row)), kFaint, style) + "\n";
+    if (published != scenario.published.end()) {
+      for (const Row& row : publishedRows(metrics.rms, published->second)) {
+        text += paint(rightTrimmed(line(row)), kFaint, style) + "\n";
+      }
     }
+    text += refusalLines(log, style);
   }
   if (ended_early) text += "\nErrors keep counting after a crash and on the ground.\n";
   return text + "speed: simulated time / wall time.\n";

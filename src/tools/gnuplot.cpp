@@ -1,6 +1,7 @@
 #include "gnuplot.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,6 +68,11 @@ Gnuplot::Gnuplot(std::string folder, std::string script)
     close(errors_);
     throw std::runtime_error(std::string("cannot run gnuplot: ") + std::strerror(failure));
   }
+}
+
+bool Gnuplot::settled(int milliseconds) const noexcept {
+  pollfd end{errors_, POLLIN, 0};
+  return child_ < 0 || poll(&end, 1, milliseconds) > 0;
 }
 
 void Gnuplot::collect() noexcept {

@@ -15,6 +15,9 @@ class Gnuplot {
   Gnuplot(const Gnuplot&) = delete;
   Gnuplot& operator=(const Gnuplot&) = delete;
 
+  /// Whether it ends, or has something to say, within so many milliseconds.
+  bool settled(int milliseconds) const noexcept;
+
   /// Waits for its end. Throws std::runtime_error, with a message of one line, when gnuplot is
   /// missing or failed.
   void wait();

@@ -108,8 +108,8 @@ RC_GTEST_PROP(DwellTimeMonitor, NeverRoundsInFavourOfASwitch, ()) {
   }
   RC_ASSERT(burst == static_cast<int>(chatter));
   // The next switch needs (burst + 1 - N_0) dwell times: the smallest whole number that reaches it.
-  const long double wait = (static_cast<long double>(burst) + 1.0L - chatter) *
-                           static_cast<long double>(dwell_time);
+  const long double wait =
+      (static_cast<long double>(burst) + 1.0L - chatter) * static_cast<long double>(dwell_time);
   const Nanoseconds earliest = monitor.earliest(0);
   RC_ASSERT(static_cast<long double>(earliest) >= wait - 1e-4L);
   RC_ASSERT(static_cast<long double>(earliest) < wait + 1.0L + 1e-4L);

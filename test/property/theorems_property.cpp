@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/control/dwell_time.h"
-#include "test/support/euler_model.h"
-#include "test/support/fixtures.h"
-#include "test/support/switched_lyapunov.h"
+#include "support/euler_model.h"
+#include "support/fixtures.h"
+#include "support/switched_lyapunov.h"
 
 /// The theorem of thesis chapter 3, inequality by inequality, with the controller's own code.
 /// docs/switched_control.md has the derivations and what is wrong in print.
@@ -52,8 +52,7 @@ double lyapunovRate(const SwitchedLaw& law, int active, const SwitchedInput& in,
   constexpr double kMoment = 1e-9;  // [s]
   const SwitchedSubsystem& subsystem = law.subsystem(active);
   const SwitchedOutput out = law.output(active, in);
-  double rate = in.error.dot(subsystem.lyapunovMatrix() *
-                             test::errorRate(subsystem, in, out, chi));
+  double rate = in.error.dot(subsystem.lyapunovMatrix() * test::errorRate(subsystem, in, out, chi));
   SwitchedLaw later = law;
   later.adapt(active, in, out.filtered_error.norm(), kMoment);
   for (int s = 0; s < law.count(); ++s) {
@@ -67,7 +66,9 @@ double lyapunovRate(const SwitchedLaw& law, int active, const SwitchedInput& in,
   return rate;
 }
 
-double tolerance(double V) { return 1e-4 * (1.0 + V); }  // of the numerical derivative
+double tolerance(double V) {
+  return 1e-4 * (1.0 + V);
+}  // of the numerical derivative
 
 // Case (i), eq. part 7, and that the printed delta is no smaller than the derived one.
 TEST(SwitchedTheorem, DecaysOutsideTheBoundaryLayer) {
@@ -77,9 +78,8 @@ TEST(SwitchedTheorem, DecaysOutsideTheBoundaryLayer) {
     const int active = dice.index(law.count());
     const Truth truth = anyTruth(dice, law, 4.0);
     const SwitchedInput in = anyInput(dice, 1.5);
-    const Eigen::Vector4d chi =
-        anyUncertainty(dice, in, law.output(active, in).filtered_error,
-                       truth.theta[static_cast<std::size_t>(active)]);
+    const Eigen::Vector4d chi = anyUncertainty(dice, in, law.output(active, in).filtered_error,
+                                               truth.theta[static_cast<std::size_t>(active)]);
     const double V = test::lyapunov(law, active, in.error, truth);
     const double rate = lyapunovRate(law, active, in, chi, truth);
     const double delta = test::derivedDelta(law, active, truth);
@@ -102,11 +102,12 @@ TEST(SwitchedTheorem, UncertaintyCancelsAgainstTheGains) {
     const Eigen::Vector4d& theta = truth.theta[static_cast<std::size_t>(active)];
     const Eigen::Vector4d chi = test::uncertaintyBound(in, theta) * r.normalized();
     const SubsystemGains& g = p.gains();
-    double expected = -0.5 * in.error.dot(p.parameters().weight * in.error) -
-                      (g.zeta + g.gamma) * r.norm();
+    double expected =
+        -0.5 * in.error.dot(p.parameters().weight * in.error) - (g.zeta + g.gamma) * r.norm();
     expected += p.parameters().leak.dot(g.theta.cwiseProduct(theta - g.theta));
-    expected += (p.parameters().zeta_drive -
-                 (1.0 + g.theta[3] * in.acceleration * r.norm()) * g.zeta) / truth.least_zeta;
+    expected +=
+        (p.parameters().zeta_drive - (1.0 + g.theta[3] * in.acceleration * r.norm()) * g.zeta) /
+        truth.least_zeta;
     for (int s = 0; s < law.count(); ++s) {
       if (s == active) continue;
       const SwitchedSubsystem& idle = law.subsystem(s);
@@ -129,15 +130,15 @@ TEST(SwitchedTheorem, GrowsInsideTheBoundaryLayerByAQuarterOfThePrintedTerm) {
     const Truth truth = anyTruth(dice, law, 4.0);
     const SwitchedInput in = anyInput(dice, 1.0);
     const Eigen::Vector4d r = law.output(active, in).filtered_error;
-    const Eigen::Vector4d chi = anyUncertainty(
-        dice, in, r, truth.theta[static_cast<std::size_t>(active)]);
+    const Eigen::Vector4d chi =
+        anyUncertainty(dice, in, r, truth.theta[static_cast<std::size_t>(active)]);
     const double V = test::lyapunov(law, active, in.error, truth);
-    const double layer = r.norm() < varpi
-                             ? 0.25 * varpi * test::layerTerm(law.subsystem(active), in.error)
-                             : 0.0;
-    ASSERT_LE(lyapunovRate(law, active, in, chi, truth),
-              -test::leastDecay(law) * V + test::derivedDelta(law, active, truth) + layer +
-                  tolerance(V)) << i;
+    const double layer =
+        r.norm() < varpi ? 0.25 * varpi * test::layerTerm(law.subsystem(active), in.error) : 0.0;
+    ASSERT_LE(
+        lyapunovRate(law, active, in, chi, truth),
+        -test::leastDecay(law) * V + test::derivedDelta(law, active, truth) + layer + tolerance(V))
+        << i;
   }
 }
 
@@ -198,7 +199,9 @@ TEST(SwitchedTheorem, UncertaintyOfTheVehicleIsWithinItsBound) {
   }
 }
 
-/// A closed loop under the worst uncertainty, switched as often as the dwell time allows.
+/// A closed loop under the worst uncertainty, switched as often as the dwell time allows. It starts
+/// with a large error and small gains: whatever makes the gains large makes the bound larger still,
+/// and V would never be above it.
 struct Loop {
   SwitchedLaw law;
   std::vector<Eigen::Vector4d> theta;  // Theta*
@@ -207,20 +210,25 @@ struct Loop {
   unsigned seed;
 };
 
-constexpr double kStep = 2.5e-4;     // [s]
-constexpr double kDuration = 12.0;   // [s]
+constexpr double kStep = 2.5e-4;    // [s]
+constexpr double kDuration = 12.0;  // [s]
+constexpr double kQuiet = 5.0;      // before the first switch [s]
 
 Loop anyLoop(Dice& dice, unsigned seed) {
   std::vector<SubsystemParameters> subsystems;
   for (int count = 2 + dice.index(3); count > 0; --count) {
     subsystems.push_back(test::anySubsystem(dice));
-    subsystems.back().initial_theta = test::anyVector(dice, 0.01, 0.1);
+    SubsystemParameters& p = subsystems.back();
+    p.initial_theta = test::anyVector(dice, 0.01, 0.1);
+    p.initial_zeta = p.zeta_drive * dice.between(1.05, 1.3);
+    p.initial_gamma = p.gamma_drive * dice.between(1.05, 1.3);
+    p.leak *= 2.0;
   }
-  Loop loop{SwitchedLaw(subsystems, dice.between(0.3, 1.0)), {}, {}, dice.between(1.0, 3.0), seed};
+  Loop loop{SwitchedLaw(subsystems, dice.between(0.05, 0.2)), {}, {}, dice.between(1.0, 3.0), seed};
   for (int s = 0; s < loop.law.count(); ++s) {
-    loop.theta.push_back(test::anyVector(dice, 0.0, 0.3));
+    loop.theta.push_back(test::anyVector(dice, 0.0, 0.2));
   }
-  loop.dwell = averageDwellTime(loop.law.spectra(), dice.between(0.1, 0.5));
+  loop.dwell = averageDwellTime(loop.law.spectra(), dice.between(0.05, 0.2));
   return loop;
 }
 
@@ -237,15 +245,15 @@ void run(const Loop& loop, Visitor&& visit) {
   Dice dice(loop.seed);
   SwitchedLaw law = loop.law;
   DwellTimeMonitor monitor(fromSeconds(loop.dwell.least) + 1, loop.chatter);
-  SwitchedInput in = anyInput(dice, 3.0);
+  SwitchedInput in = anyInput(dice, 2.5);
   int active = 0;
   for (double time = 0.0; time < kDuration; time += kStep) {
-    if (dice.index(2000) == 0 && monitor.allows(fromSeconds(time))) {
+    if (time > kQuiet && dice.index(2000) == 0 && monitor.allows(fromSeconds(time))) {
       monitor.record(fromSeconds(time));
       active = (active + 1 + dice.index(law.count() - 1)) % law.count();
     }
     visit(law, active, in.error);
-    in.acceleration = 0.2 + 0.1 * std::sin(3.0 * time);
+    in.acceleration = 0.05 + 0.05 * std::sin(3.0 * time);
     in.desired_acceleration.setConstant(std::sin(time));
     const SwitchedOutput out = law.output(active, in);
     const Eigen::Vector4d chi = worstUncertainty(
@@ -359,87 +367,6 @@ TEST(SwitchedTheorem, HoldsAlongSwitchedClosedLoops) {
   EXPECT_GT(switches, 10);
   RecordProperty("steps_above_bound", above);
   RecordProperty("switches", switches);
-}
-
-// --- What does not hold as printed, each with one counterexample. ---
-
-SwitchedLaw plainLaw(int count, double varpi, const Eigen::Vector4d& theta) {
-  SubsystemParameters p;
-  p.error_gain = p.rate_gain = p.input_gain = Eigen::Matrix4d::Identity();
-  p.weight = 2.0 * Matrix8d::Identity();
-  p.leak = Eigen::Vector4d::Ones();
-  p.gamma_drive = p.zeta_drive = 0.01;
-  p.initial_theta = theta;
-  p.initial_zeta = p.initial_gamma = 1.0;
-  return SwitchedLaw(std::vector<SubsystemParameters>(static_cast<std::size_t>(count), p), varpi);
-}
-
-// Eq. part 5 prints varrho where gamma's law gives varrho / 2.
-TEST(SwitchedTheoremInPrint, IdleGainsPullHalfAsMuch) {
-  const SwitchedLaw law = plainLaw(2, 0.1, Eigen::Vector4d::Constant(2.0));
-  const SwitchedSubsystem& idle = law.subsystem(1);
-  const double varrho = idle.spectrum().decay();
-  const double sum = idle.gains().theta.squaredNorm();
-  const double drive = idle.parameters().gamma_drive;
-  const double gamma = idle.gains().gamma;  // its least value, so that gamma / least = 1
-  SwitchedLaw later = law;
-  later.adapt(0, {Vector8d::Zero(), Eigen::Vector4d::Zero(), 0.0}, 0.0, 1e-9);
-  const double rate = (later.subsystem(1).gains().gamma - gamma) / 1e-9;
-  EXPECT_GT(rate, -varrho * sum + drive + 1.0);       // the printed bound is broken by far
-  EXPECT_LE(rate, -0.5 * varrho * sum + drive - 0.99);  // the derived one is not
-}
-
-// delta if the auxiliary gains are summed inside the sum over i, as the proof's braces say: V then
-// counts them four times, but delta has bar-epsilon / underline-zeta only once.
-TEST(SwitchedTheoremInPrint, AuxiliaryGainsMustCountOnce) {
-  const double varrho = 0.3;
-  const double bar_epsilon = 1.0;
-  const double zeta = 0.1;      // where a long strong excitation has left it: its least value
-  const double bar_zeta = 1.1;  // > bar-epsilon
-  // xi = 0, Theta* = 0, theta-hat = 0, gamma at its start and least value, epsilon negligible.
-  const double V = 4.0 * (1.0 + 1.0);
-  const double rate = 4.0 * (bar_epsilon - zeta) / zeta;
-  const double printed = bar_epsilon / zeta + 4.0 * varrho * (1.0 + bar_zeta / zeta);
-  EXPECT_GT(rate, -varrho * V + printed + 5.0);
-  const double derived = 4.0 * (bar_epsilon / zeta - 1.0 + varrho * (1.0 + bar_zeta / zeta));
-  EXPECT_LE(rate, -varrho * V + derived);
-}
-
-// "||r|| < varpi implies bounded xi" is no statement about one instant: r = B'P xi has four rows
-// for eight unknowns.
-TEST(SwitchedTheoremInPrint, ASmallFilteredErrorBoundsNoError) {
-  const SwitchedLaw law = plainLaw(1, 0.1, Eigen::Vector4d::Ones());
-  const Eigen::Matrix4d P12 = law.subsystem(0).lyapunovMatrix().topRightCorner<4, 4>();
-  const Eigen::Matrix4d P22 = law.subsystem(0).lyapunovMatrix().bottomRightCorner<4, 4>();
-  SwitchedInput in{Vector8d::Zero(), Eigen::Vector4d::Zero(), 0.0};
-  in.error.head<4>().setConstant(1e6);
-  in.error.tail<4>() = -P22.llt().solve(P12.transpose() * in.error.head<4>());
-  EXPECT_LT(law.output(0, in).filtered_error.norm(), 1e-6);
-  EXPECT_GT(test::layerTerm(law.subsystem(0), in.error), 1e12);
-}
-
-// Eq. low_bound: the lower bounds of zeta exist for every run but not before it: excitation drives
-// zeta below any number.
-TEST(SwitchedTheoremInPrint, LowerBoundsDependOnTheRun) {
-  double last = 1.0;
-  for (const double acceleration : {1e1, 1e3, 1e5}) {
-    SwitchedLaw law = plainLaw(1, 0.1, Eigen::Vector4d::Ones());
-    SwitchedInput in{Vector8d::Ones(), Eigen::Vector4d::Zero(), acceleration};
-    for (int i = 0; i < 1000; ++i) {
-      law.adapt(0, in, law.output(0, in).filtered_error.norm(), 0.01);
-    }
-    EXPECT_LT(law.subsystem(0).gains().zeta, 0.1 * last);
-    last = law.subsystem(0).gains().zeta;
-  }
-}
-
-// The law feeds the acceleration back through rho. At one instant, n = ||a - c n|| with
-// c = theta-hat_3 M^-1 D r / ||r||: with ||c|| >= 1 it may have no solution. The thesis's start
-// (theta-hat_3 = 1.5, D = 2 kg, m = 1.5 kg) is such a case, unless the boundary layer softens it.
-TEST(SwitchedTheoremInPrint, InstantaneousAccelerationMayNotExist) {
-  const double c = 1.5 * 2.0 / 1.5;
-  const double a = -3.0;  // opposite to c
-  for (double n = 0.0; n < 1e6; n = 1.5 * n + 0.01) EXPECT_GT(std::abs(a - c * n), n);
 }
 
 }  // namespace

@@ -10,20 +10,16 @@ import unittest
 
 import rospy
 import rostest
+from uav import PACKAGE, executable
 
-PACKAGE = 'adaptive_quadrotor_control'
 SAME = 1e-3  # [m]
 
 
-def executable(name):
-    from roslib.packages import find_node
-    return find_node(PACKAGE, name)[0]
-
-
 def read_csv(path):
+    """Rows by column name without its unit; empty fields are None."""
     with open(path) as file:
-        return [{key: float(value) if value not in ('', 'nan') else None
-                 for key, value in row.items()} for row in csv.DictReader(file)]
+        return [{key.split(' ')[0]: float(value) if value else None for key, value in row.items()}
+                for row in csv.DictReader(file)]
 
 
 class Flight(unittest.TestCase):
@@ -63,9 +59,13 @@ class Flight(unittest.TestCase):
 
     def test_same_set_points_and_payload(self):
         for key in self.fly[0]:
-            if key.endswith('_d') or 'payload' in key:
+            if key.startswith('set_') or key in ('payload_mass', 'flying'):
                 for ros, fly in zip(self.ros, self.fly):
-                    self.assertAlmostEqual(ros[key], fly[key], delta=1e-6)
+                    if fly[key] is None:
+                        self.assertIsNone(ros[key], key)
+                    else:
+                        self.assertAlmostEqual(ros[key], fly[key], delta=1e-6,
+                                               msg='%s at %g s' % (key, fly['t']))
 
     def test_same_metrics(self):
         for key, value in self.fly_metrics['rms'].items():

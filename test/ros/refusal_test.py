@@ -10,12 +10,13 @@ import rospkg
 import rospy
 import rostest
 import yaml
+from uav import executable
 
 CONFIG = os.path.join(rospkg.RosPack().get_path('adaptive_quadrotor_control'), 'config')
 NODELET = ['rosrun', 'nodelet', 'nodelet', 'standalone', 'adaptive_quadrotor_control/Controller',
            '__name:=controller']
-PLANT = ['rosrun', 'adaptive_quadrotor_control', 'plant_node', '__name:=plant']
-MISSION = ['rosrun', 'adaptive_quadrotor_control', 'mission_node', '__name:=mission']
+PLANT = [executable('plant_node'), '__name:=plant']
+MISSION = [executable('mission_node'), '__name:=mission']
 
 
 def config(kind, name):

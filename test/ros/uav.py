@@ -5,9 +5,16 @@ import threading
 import rospy
 from adaptive_quadrotor_control.msg import Actuators, ControllerState, PlantStatus
 from geometry_msgs.msg import Point, PoseStamped, Transform, Twist
+from roslib.packages import find_node
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
 
+PACKAGE = 'adaptive_quadrotor_control'
 PATIENCE = 30.0  # for anything to happen [s], wall
+
+
+def executable(name):
+    """Path of a program of this package."""
+    return find_node(PACKAGE, name)[0]
 
 
 def yaw_quaternion(orientation, yaw):

@@ -11,8 +11,8 @@ namespace aqc::test {
 /// Rows of the matrix that turns Z-Y-X Euler rates into body rates, omega = W dq.
 inline Eigen::Matrix3d eulerToBody(double roll, double pitch) {
   Eigen::Matrix3d W;
-  W << 1.0, 0.0, -std::sin(pitch),                                      //
-      0.0, std::cos(roll), std::sin(roll) * std::cos(pitch),            //
+  W << 1.0, 0.0, -std::sin(pitch),                            //
+      0.0, std::cos(roll), std::sin(roll) * std::cos(pitch),  //
       0.0, -std::sin(roll), std::cos(roll) * std::cos(pitch);
   return W;
 }
@@ -31,9 +31,9 @@ struct EulerBody {
 
 /// The Euler-angle model of thesis chapter 3 (eq. sys_1) with its lateral motion (eq. pos_dyn_mod).
 struct EulerMotion {
-  Eigen::Vector4d q = Eigen::Vector4d::Zero();         // z, phi, theta, psi
+  Eigen::Vector4d q = Eigen::Vector4d::Zero();  // z, phi, theta, psi
   Eigen::Vector4d rate = Eigen::Vector4d::Zero();
-  Eigen::Vector2d lateral = Eigen::Vector2d::Zero();   // q_u = x, y
+  Eigen::Vector2d lateral = Eigen::Vector2d::Zero();  // q_u = x, y
   Eigen::Vector2d lateral_rate = Eigen::Vector2d::Zero();
 };
 
@@ -60,12 +60,12 @@ inline Eigen::Vector3d thrustAxis(const Eigen::Vector4d& q) {
 }
 
 /// Both second derivatives under the input tau and the disturbance d (which acts along the thrust
-/// in the first row). Rows one of sys_1 and pos_dyn_mod together say that the mass feels gravity and
-/// T - d_1 along the body's axis.
+/// in the first row). Rows one of sys_1 and pos_dyn_mod together say that the mass feels gravity
+/// and T - d_1 along the body's axis.
 inline EulerAcceleration accelerate(const EulerBody& body, const EulerMotion& motion,
                                     const Eigen::Vector4d& tau, const Eigen::Vector4d& d) {
-  const Eigen::Vector3d linear = thrustAxis(motion.q) * ((tau[0] - d[0]) / body.mass) -
-                                 kGravity * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d linear =
+      thrustAxis(motion.q) * ((tau[0] - d[0]) / body.mass) - kGravity * Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d turn = (tau.tail<3>() - d.tail<3>() - coriolis(body, motion.rate))
                                    .cwiseQuotient(body.effectiveInertia());
   return {{linear.z(), turn.x(), turn.y(), turn.z()}, linear.head<2>()};

@@ -25,7 +25,9 @@ inline Vehicle vehicleNamed(const std::string& name) {
   return loadVehicle(configFile("vehicle/" + name));
 }
 
-inline Vehicle pelican() { return vehicleNamed("pelican_thesis"); }
+inline Vehicle pelican() {
+  return vehicleNamed("pelican_thesis");
+}
 
 inline std::unique_ptr<Controller> lawNamed(const std::string& name, const Vehicle& vehicle) {
   return loadController(configFile("controller/" + name), vehicle);
@@ -44,8 +46,7 @@ inline Payload box(double mass, double edge = 0.1) {
 /// The speed at which all rotors together carry `mass` [rad/s].
 inline RotorArray hoverSpeeds(const Vehicle& vehicle, double mass) {
   const auto count = static_cast<Eigen::Index>(vehicle.rotors.size());
-  const double squared =
-      mass * kGravity / (static_cast<double>(count) * vehicle.force_constant);
+  const double squared = mass * kGravity / (static_cast<double>(count) * vehicle.force_constant);
   return RotorArray::Constant(count, std::sqrt(squared));
 }
 

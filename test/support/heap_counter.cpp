@@ -58,10 +58,14 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
 
 namespace aqc::test {
 
-bool canCountHeap() { return AQC_TEST_COUNTS_HEAP != 0; }
+bool canCountHeap() {
+  return AQC_TEST_COUNTS_HEAP != 0;
+}
 
 HeapCounter::HeapCounter() : start_(allocations) {}
 
-std::size_t HeapCounter::count() const { return allocations - start_; }
+std::size_t HeapCounter::count() const {
+  return allocations - start_;
+}
 
 }  // namespace aqc::test

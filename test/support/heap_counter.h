@@ -4,7 +4,8 @@
 
 namespace aqc::test {
 
-/// False where the C library's allocator cannot be watched (not glibc, or a sanitizer is in the way).
+/// False where the C library's allocator cannot be watched (not glibc, or a sanitizer is in the
+/// way).
 bool canCountHeap();
 
 /// How often memory was asked for while this object lives: malloc and all that is built on it

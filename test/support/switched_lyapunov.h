@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/control/switched_law.h"
-#include "test/support/fixtures.h"
+#include "support/fixtures.h"
 
 /// What the theorem of thesis chapter 3 needs to know and the controller does not.
 namespace aqc::test {
@@ -27,8 +27,7 @@ inline double leastDecay(const SwitchedLaw& law) {
 }
 
 /// V of eq. lyap; every subsystem's gamma and zeta count once.
-inline double lyapunov(const SwitchedLaw& law, int active, const Vector8d& xi,
-                       const Truth& truth) {
+inline double lyapunov(const SwitchedLaw& law, int active, const Vector8d& xi, const Truth& truth) {
   double V = 0.5 * xi.dot(law.subsystem(active).lyapunovMatrix() * xi);
   for (int s = 0; s < law.count(); ++s) {
     const SubsystemGains& gains = law.subsystem(s).gains();

@@ -28,7 +28,7 @@ State stateWith(const Eigen::Matrix3d& R) {
 }
 
 TEST(DesiredAttitude, IsARotationForEveryForce) {
-  const std::vector<double> values = {0.0,  1.0,    -1.0,   1e-300, 1e300, -1e300,
+  const std::vector<double> values = {0.0,  1.0,    -1.0,  1e-300, 1e300, -1e300,
                                       20.0, 1e-160, 1e154, kInf,   -kInf, kNan};
   for (const double x : values) {
     for (const double y : values) {
@@ -134,9 +134,9 @@ TEST(AttitudeErrors, RateErrorIsTheRateOfTheRelativeAttitude) {
       const Eigen::Quaterniond R_d = yawRotation(time * yaw_rate) * desired;
       return (R_d.conjugate() * R).toRotationMatrix();
     };
-    const Eigen::Vector3d turned = vee(Eigen::Matrix3d(
-        relative(-kTime).transpose() * relative(kTime) -
-        relative(kTime).transpose() * relative(-kTime)));
+    const Eigen::Vector3d turned =
+        vee(Eigen::Matrix3d(relative(-kTime).transpose() * relative(kTime) -
+                            relative(kTime).transpose() * relative(-kTime)));
     const Eigen::Vector3d expected = turned / (4.0 * kTime);
     const AttitudeErrors errors = attitudeErrors(state, desired.toRotationMatrix(), yaw_rate);
     EXPECT_LT((errors.rate - expected).norm(), 1e-6);

@@ -170,8 +170,7 @@ TEST(CascadedLaws, ReportTheDesiredAttitudeOfTheirForce) {
     SetPoint set_point = target();
     set_point.yaw = 0.7;
     law->update(levelState(), set_point, 0.01);
-    const Eigen::Vector3d axis =
-        law->telemetry().desired_attitude * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d axis = law->telemetry().desired_attitude * Eigen::Vector3d::UnitZ();
     EXPECT_LT((axis - law->telemetry().force.normalized()).norm(), 1e-12) << name;
   }
 }

@@ -85,9 +85,10 @@ TEST(Core, ReadsNoClock) {
 }
 
 TEST(Core, PrintsAndLogsNothing) {
-  expectNone(sources({"ros", "tools"}),
-             R"(<iostream>|<cstdio>.*log|\bstd::(cout|cerr|clog)\b|\b(std::)?(v?f?printf|puts|putchar)"
-             R"(|fputs|perror)\s*\(|<syslog\.h>)");
+  expectNone(
+      sources({"ros", "tools"}),
+      R"(<iostream>|<cstdio>.*log|\bstd::(cout|cerr|clog)\b|\b(std::)?(v?f?printf|puts|putchar)"
+      R"(|fputs|perror)\s*\(|<syslog\.h>)");
 }
 
 TEST(Core, DrawsNoRandomNumbersWithoutASeed) {
@@ -96,8 +97,9 @@ TEST(Core, DrawsNoRandomNumbersWithoutASeed) {
 
 TEST(Core, KeepsNoStateInStaticVariables) {
   // static const, constexpr and assert are fine, and so are static member functions.
-  expectNone(sources({"ros", "tools"}),
-             R"(\bthread_local\b|^\s+static\s+(?!const\b|constexpr\b|inline\b)[\w:<>, ]+\s+\w+\s*(=|;|\{))");
+  expectNone(
+      sources({"ros", "tools"}),
+      R"(\bthread_local\b|^\s+static\s+(?!const\b|constexpr\b|inline\b)[\w:<>, ]+\s+\w+\s*(=|;|\{))");
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ TEST(DwellTime, RefusesWhatGivesNone) {
 }
 
 TEST(DwellTime, TakesTheWorstOverAllSubsystems) {
-  const DwellTime bound = averageDwellTime({{0.5, 2.0, 1.0}, {0.1, 1.0, 0.3}, {1.0, 4.0, 4.0}}, 0.5);
+  const DwellTime bound =
+      averageDwellTime({{0.5, 2.0, 1.0}, {0.1, 1.0, 0.3}, {1.0, 4.0, 4.0}}, 0.5);
   EXPECT_DOUBLE_EQ(bound.mu, 4.0 / 0.1);
   EXPECT_DOUBLE_EQ(bound.varrho, 0.3);
   EXPECT_DOUBLE_EQ(bound.least, std::log(40.0) / 0.15);

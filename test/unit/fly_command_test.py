@@ -136,7 +136,7 @@ class Flights(FlyTest):
         flight = flights[0][0]
         self.assertEqual(set(flight), {"controller", "rms", "peak_altitude_error", "crash_time",
                                        "settled_altitude_error", "crashed", "grounded_from",
-                                       "duration"})
+                                       "refusals", "duration"})
         self.assertEqual(set(flight["rms"]), {"x", "y", "z", "roll", "pitch", "yaw"})
         self.assertEqual((flight["crashed"], flight["crash_time"], flight["duration"]),
                          (False, None, 4.0))

@@ -11,7 +11,9 @@ namespace {
 constexpr double kStep = 1e-3;
 constexpr double kFriction = 0.7;
 
-RotorArray off() { return RotorArray::Zero(4); }
+RotorArray off() {
+  return RotorArray::Zero(4);
+}
 
 void fly(Plant& plant, const RotorArray& command, double duration) {
   for (long i = 0; i < std::lround(duration / kStep); ++i) plant.step(command, kStep);

@@ -23,7 +23,9 @@ void fly(Plant& plant, const RotorArray& command, double duration) {
   for (long i = 0; i < steps; ++i) plant.step(command, kStep);
 }
 
-RotorArray off(const Vehicle& vehicle) { return 0.0 * test::hoverSpeeds(vehicle, 1.0); }
+RotorArray off(const Vehicle& vehicle) {
+  return 0.0 * test::hoverSpeeds(vehicle, 1.0);
+}
 
 TEST(Plant, FallsFreelyWithoutRotors) {
   const Vehicle vehicle = test::pelican();

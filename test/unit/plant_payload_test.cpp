@@ -23,8 +23,7 @@ Momentum momentumOf(const Vehicle& vehicle, const Payload* payload, const State&
     const Eigen::Vector3d where = state.position + R * payload->offset;
     const Eigen::Vector3d speed = state.velocity + R * state.body_rate.cross(payload->offset);
     sum.linear += payload->mass * speed;
-    sum.angular +=
-        where.cross(payload->mass * speed) + R * payload->inertia * state.body_rate;
+    sum.angular += where.cross(payload->mass * speed) + R * payload->inertia * state.body_rate;
   }
   return sum;
 }
@@ -99,8 +98,8 @@ TEST(PlantPayload, AngularMomentumRefersToTheGivenPoint) {
   Plant plant(test::pelican(), dice.airborneState());
   plant.attach(dice.payload());
   const Eigen::Vector3d point = dice.vector(10.0);
-  const Eigen::Vector3d shifted = plant.angularMomentum(Eigen::Vector3d::Zero()) -
-                                  point.cross(plant.linearMomentum());
+  const Eigen::Vector3d shifted =
+      plant.angularMomentum(Eigen::Vector3d::Zero()) - point.cross(plant.linearMomentum());
   EXPECT_LT((plant.angularMomentum(point) - shifted).norm(), 1e-9);
 }
 

@@ -57,8 +57,8 @@ struct Textbook {
       Eigen::Vector3d air = R.transpose() * (v - wind) + omega.cross(hub);
       air.z() = 0.0;
       const double thrust = vehicle.force_constant * speed * speed;
-      const Eigen::Vector3d pull = Eigen::Vector3d(0.0, 0.0, thrust) -
-                                   std::abs(speed) * vehicle.drag_coefficient * air;
+      const Eigen::Vector3d pull =
+          Eigen::Vector3d(0.0, 0.0, thrust) - std::abs(speed) * vehicle.drag_coefficient * air;
       force += pull;
       moment += hub.cross(pull) - std::abs(speed) * vehicle.rolling_moment_coefficient * air;
       moment.z() -= rotor.direction * vehicle.moment_constant * thrust;
@@ -89,8 +89,7 @@ struct Textbook {
     std::copy_n(start.velocity.data(), 3, &x[3]);
     std::copy_n(rotation.data(), 9, &x[6]);
     std::copy_n(start.body_rate.data(), 3, &x[15]);
-    const auto stepper =
-        odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(1e-12, 1e-12);
+    const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(1e-12, 1e-12);
     odeint::integrate_adaptive(stepper, *this, x, 0.0, duration, 1e-4);
     State end;
     end.position = Eigen::Vector3d(&x[0]);
@@ -111,8 +110,10 @@ double difference(const State& a, const State& b) {
 /// One random motion, flown by both.
 struct Motion {
   Motion(const std::string& vehicle, bool loaded, test::Dice& dice)
-      : book{test::vehicleNamed(vehicle), nullptr, dice.vector(6.0), {}, {}}, load(dice.payload()),
-        start(dice.airborneState()), is_loaded(loaded) {
+      : book{test::vehicleNamed(vehicle), nullptr, dice.vector(6.0), {}, {}},
+        load(dice.payload()),
+        start(dice.airborneState()),
+        is_loaded(loaded) {
     book.disturbance = {dice.vector(2.0), dice.vector(0.02)};
     const double mass = book.vehicle.mass + (loaded ? load.mass : 0.0);
     book.command = test::hoverSpeeds(book.vehicle, mass);

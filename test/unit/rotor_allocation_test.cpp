@@ -15,7 +15,9 @@ Eigen::Vector4d numbers(const Wrench& wrench) {
   return {wrench.thrust, wrench.moment.x(), wrench.moment.y(), wrench.moment.z()};
 }
 
-double distance(const Wrench& a, const Wrench& b) { return (numbers(a) - numbers(b)).norm(); }
+double distance(const Wrench& a, const Wrench& b) {
+  return (numbers(a) - numbers(b)).norm();
+}
 
 class EveryVehicle : public ::testing::TestWithParam<const char*> {
  protected:
@@ -90,8 +92,8 @@ TEST_P(EveryVehicle, ThrustMovesNoFurtherThanItMust) {
   EXPECT_NEAR(low + high, vehicle_.maxThrust(), 1e-5) << "both ends have the same room";
   EXPECT_NEAR(rotors_.allocate({0.0, {roll, 0.0, 0.0}}).speeds.minCoeff(), 0.0,
               1e-3 * vehicle_.max_rotor_speed);
-  EXPECT_NEAR(rotors_.allocate({1e4, {roll, 0.0, 0.0}}).speeds.maxCoeff(),
-              vehicle_.max_rotor_speed, 1e-6 * vehicle_.max_rotor_speed);
+  EXPECT_NEAR(rotors_.allocate({1e4, {roll, 0.0, 0.0}}).speeds.maxCoeff(), vehicle_.max_rotor_speed,
+              1e-6 * vehicle_.max_rotor_speed);
 }
 
 TEST_P(EveryVehicle, RollAndPitchGiveWayLastAndKeepTheirDirection) {
@@ -123,9 +125,9 @@ TEST_P(EveryVehicle, AnyRequestIsAnsweredWithinLimitsAndTruthfully) {
 }
 
 TEST_P(EveryVehicle, NonFiniteRequestsStopTheRotors) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
     for (int entry = 0; entry < 4; ++entry) {
       Wrench request{hover_, Eigen::Vector3d::Zero()};
       (entry == 0 ? request.thrust : request.moment[entry - 1]) = bad;

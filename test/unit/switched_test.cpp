@@ -8,8 +8,8 @@
 #include <string>
 
 #include "adaptive_quadrotor_control/control/flight_controller.h"
-#include "test/support/euler_model.h"
-#include "test/support/fixtures.h"
+#include "support/euler_model.h"
+#include "support/fixtures.h"
 
 namespace {
 long allocation_count = 0;
@@ -20,23 +20,37 @@ long allocation_count = 0;
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
-[[gnu::noinline]] void release(void* memory) { std::free(memory); }
+[[gnu::noinline]] void release(void* memory) {
+  std::free(memory);
+}
 }  // namespace
 
 // Every allocation of this binary is counted, so that a test can show that there is none.
-void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size) {
+  return allocate(size, alignof(std::max_align_t));
+}
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory) noexcept {
+  release(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  release(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  release(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  release(memory);
+}
 
 namespace aqc {
 namespace {
 
-YAML::Node thesisTree() { return loadYamlFile(test::configFile("controller/switched")); }
+YAML::Node thesisTree() {
+  return loadYamlFile(test::configFile("controller/switched"));
+}
 
 // Numbers for work by hand: K_1 = K_2 = I and Q = 2 I give P = [3 1; 1 2] an axis, r = e + 2 de,
 // lambda_max(P) = (5 + sqrt 5) / 2.
@@ -136,8 +150,8 @@ TEST(Switched, AttitudeInputsBecomeMoments) {
   test::EulerMotion motion;
   motion.q.tail<3>() = angles;
   const auto law = makeLaw(plainTree());
-  law->senseSpecificForce(test::specificForce(test::toState(motion), {Eigen::Vector4d::Zero(),
-                                                                      Eigen::Vector2d::Zero()}));
+  law->senseSpecificForce(test::specificForce(test::toState(motion),
+                                              {Eigen::Vector4d::Zero(), Eigen::Vector2d::Zero()}));
   const Wrench wrench = law->update(test::toState(motion), {}, kStep);
   const double xi = angles.norm();
   const double rho = 0.1 + 0.2 * xi + 0.3 * xi * xi + 0.75;

@@ -12,7 +12,9 @@ namespace {
 
 constexpr Nanoseconds kMillisecond = 1'000'000;
 
-RotorArray off() { return RotorArray::Zero(4); }
+RotorArray off() {
+  return RotorArray::Zero(4);
+}
 
 TimedPlant plantAt(double altitude, Nanoseconds start = 0) {
   State state;

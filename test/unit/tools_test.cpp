@@ -30,9 +30,9 @@ Scenario scenario() {
   scenario.duration = fromSeconds(10.0);
   scenario.control_period = fromSeconds(0.1);
   scenario.metrics_from = fromSeconds(4.0);
-  Payload payload;
-  payload.mass = 0.5;
-  scenario.events.push_back({fromSeconds(4.0), AttachPayload{payload}});
+  AttachPayload attach;
+  attach.payload.mass = 0.5;
+  scenario.events.push_back({fromSeconds(4.0), attach});
   scenario.published["good"].position = {0.2, 0.2, 0.0};
   scenario.published["good"].attitude = {4.0, 4.0, 4.0};
   return scenario;
@@ -71,6 +71,7 @@ FlightLog crashed(const std::string& controller) {
   FlightLog flight = log(controller);
   flight.crash_time = fromSeconds(6.5);
   flight.crash_reason = "hard impact";
+  flight.refusals = {{fromSeconds(4.0), "the box is out of reach"}};
   return flight;
 }
 
@@ -151,7 +152,7 @@ TEST(FlightJson, FollowsTheSchema) {
   EXPECT_EQ(json.at("scenario"), "short");
   ASSERT_EQ(json.at("flights").size(), 2u);
   const nlohmann::json& good = json["flights"][0];
-  EXPECT_EQ(good.size(), 9u);
+  EXPECT_EQ(good.size(), 10u);
   EXPECT_EQ(good.at("controller"), "good");
   EXPECT_NEAR(good.at("rms").at("x").get<double>(), 0.1, 1e-12);
   EXPECT_NEAR(good.at("rms").at("z").get<double>(), 0.3, 1e-12);
@@ -161,11 +162,14 @@ TEST(FlightJson, FollowsTheSchema) {
   EXPECT_EQ(good.at("crashed"), false);
   EXPECT_TRUE(good.at("crash_time").is_null());
   EXPECT_TRUE(good.at("grounded_from").is_null());
+  EXPECT_TRUE(good.at("refusals").empty() && good.at("refusals").is_array());
   EXPECT_EQ(good.at("duration"), 10.0);
   EXPECT_EQ(good.at("real_time_factor"), 120.0);
   const nlohmann::json& bad = json["flights"][1];
   EXPECT_EQ(bad.at("crashed"), true);
   EXPECT_EQ(bad.at("crash_time"), 6.5);
+  EXPECT_EQ(bad.at("refusals"),
+            (nlohmann::json{{{"time", 4.0}, {"reason", "the box is out of reach"}}}));
   EXPECT_TRUE(bad.at("real_time_factor").is_null());  // not measured
 }
 
@@ -200,6 +204,7 @@ TEST(FlightTable, ShowsFlownAndPublishedErrors) {
   EXPECT_EQ(line("  difference"),
             (Words{"difference", "-50", "%", "+0", "%", "-", "-50", "%", "-50", "%", "-50", "%"}));
   EXPECT_NE(table.find("crashed at 6.5 s: hard impact"), std::string::npos);
+  EXPECT_NE(table.find("  at 4 s: the box is out of reach\n"), std::string::npos);
   EXPECT_NE(table.find("RMS errors from 4 s to the end at 10 s"), std::string::npos);
   EXPECT_EQ(table.find('\033'), std::string::npos);
 }

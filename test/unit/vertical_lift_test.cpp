@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/control/subsystem_switch.h"
-#include "test/support/euler_model.h"
-#include "test/support/fixtures.h"
+#include "support/euler_model.h"
+#include "support/fixtures.h"
 
 /// The simulation of thesis chapter 3: the printed parameters on the chapter's Euler-angle model.
 namespace aqc {
@@ -28,11 +28,11 @@ const std::vector<Switch> kSignal = {{2.0, 2},  {4.0, 3},  {7.0, 1},  {14.0, 2},
                                      {22.0, 3}, {31.0, 2}, {45.0, 1}, {54.0, 3}};
 
 struct Flight {
-  double settled[4] = {};       // last |e_z| in subsystem 1, 2, 3 [m]
+  double settled[4] = {};          // last |e_z| in subsystem 1, 2, 3 [m]
   double height_after_20 = 0.0;    // largest |e_z| after 20 s [m]
   double attitude_after_20 = 0.0;  // largest attitude error [deg]
   double attitude_after_40 = 0.0;
-  double drift = 0.0;           // lateral, at the end [m]
+  double drift = 0.0;  // lateral, at the end [m]
   int refused = 0;
   bool diverged = false;
 };

@@ -15,8 +15,8 @@ struct AttitudeErrors {
   Eigen::Vector3d rate;   ///< de_q = omega - R' R_d omega_d, in B [rad/s]
 };
 
-/// Limits that keep assumption 2 of the thesis, |phi_d|, |theta_d| < pi/2, whatever force a law asks
-/// for. Both raise the vertical part of the force for the attitude's sake only.
+/// Limits that keep assumption 2 of the thesis, |phi_d|, |theta_d| < pi/2, whatever force a law
+/// asks for. Both raise the vertical part of the force for the attitude's sake only.
 struct TiltLimits {
   double max_tilt;  ///< of the desired attitude [rad], in (0, pi/2)
   /// Least vertical force that decides the attitude [N], > 0. A law that asks for a dive asks for a

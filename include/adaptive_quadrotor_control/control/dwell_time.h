@@ -37,15 +37,16 @@ DwellTime averageDwellTime(const std::vector<LyapunovSpectrum>& subsystems, doub
 /// A leaky bucket: every switch fills one dwell time in, time drains it, and N_0 dwell times fit.
 /// That is the definition itself, not an estimate of it, in constant time and memory: of all
 /// windows that end with the newest switch, the fullest one is what is in the bucket. Whole
-/// nanoseconds, so nothing is lost to rounding. No function but the constructor throws or allocates.
+/// nanoseconds, so nothing is lost to rounding. No function but the constructor throws or
+/// allocates.
 class DwellTimeMonitor {
  public:
   static constexpr Nanoseconds kLongest = 1'000'000'000'000'000;  ///< eleven days
   static constexpr double kMostChatter = 1000.0;
 
-  /// `dwell_time` in [1, kLongest] ns. `chatter_bound` is N_0 in [1, kMostChatter]: one switch alone
-  /// fills a window as short as one likes, so with N_0 < 1 no switch would ever be allowed. Throws
-  /// std::invalid_argument.
+  /// `dwell_time` in [1, kLongest] ns. `chatter_bound` is N_0 in [1, kMostChatter]: one switch
+  /// alone fills a window as short as one likes, so with N_0 < 1 no switch would ever be allowed.
+  /// Throws std::invalid_argument.
   DwellTimeMonitor(Nanoseconds dwell_time, double chatter_bound);
 
   /// The first time >= `now` at which a switch keeps the definition.
@@ -63,9 +64,9 @@ class DwellTimeMonitor {
  private:
   Nanoseconds dwell_time_;
   double chatter_bound_;
-  Nanoseconds capacity_;   // N_0 dwell times, rounded down: contents are whole nanoseconds
-  Nanoseconds fill_ = 0;   // right after the last switch
-  Nanoseconds last_ = 0;   // of that switch
+  Nanoseconds capacity_;  // N_0 dwell times, rounded down: contents are whole nanoseconds
+  Nanoseconds fill_ = 0;  // right after the last switch
+  Nanoseconds last_ = 0;  // of that switch
 };
 
 }  // namespace aqc

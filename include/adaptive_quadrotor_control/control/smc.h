@@ -29,11 +29,11 @@ class Smc final : public CascadedController {
                            const Eigen::Vector3d& feed_forward,
                            Eigen::Vector3d& sliding) const noexcept;
 
-    Eigen::Vector3d slope;           // Phi [1/s]
-    Eigen::Vector3d reaching_gain;   // eta
-    Eigen::Vector3d nominal;         // M0: mass [kg] or principal moments [kg m^2]
-    Eigen::Vector3d payload_bound;   // F, in the unit of M0
-    double boundary_layer;           // varpi
+    Eigen::Vector3d slope;          // Phi [1/s]
+    Eigen::Vector3d reaching_gain;  // eta
+    Eigen::Vector3d nominal;        // M0: mass [kg] or principal moments [kg m^2]
+    Eigen::Vector3d payload_bound;  // F, in the unit of M0
+    double boundary_layer;          // varpi
   };
 
   Loop position_;

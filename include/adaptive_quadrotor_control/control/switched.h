@@ -23,9 +23,9 @@ constexpr int kMaxSubsystems = 8;
 /// derivatives; from kSteepest on the pitch's cosine is held there, so that they stay finite.
 ///
 /// The acceleration in the law is that of the samples before the command: linear from
-/// senseSpecificForce() as R f - g e_3, angular the filtered derivative of the body rate turned into
-/// Euler axes, without the product of rates that is of second order. As long as no specific force
-/// has come, linear is the filtered derivative of the velocity.
+/// senseSpecificForce() as R f - g e_3, angular the filtered derivative of the body rate turned
+/// into Euler axes, without the product of rates that is of second order. As long as no specific
+/// force has come, linear is the filtered derivative of the velocity.
 class Switched final : public Controller {
  public:
   static constexpr double kSteepest = 85.0 * M_PI / 180.0;  ///< pitch [rad]
@@ -46,8 +46,8 @@ class Switched final : public Controller {
   /// attitude_error and rate_error in Euler angles; r as sliding_position.z [m/s] and
   /// sliding_attitude [rad/s]; force is the thrust, in W.
   const Telemetry& telemetry() const noexcept override { return telemetry_; }
-  /// "theta_0[1]" .. "theta_3[1]", "zeta[1]", "gamma[1]", the same for every further subsystem, then
-  /// "active_subsystem" and "rho".
+  /// "theta_0[1]" .. "theta_3[1]", "zeta[1]", "gamma[1]", the same for every further subsystem,
+  /// then "active_subsystem" and "rho".
   std::vector<std::string> adaptiveNames() const override;
 
   const SwitchedLaw& law() const noexcept { return law_; }

@@ -32,7 +32,7 @@ struct SubsystemParameters {
 
 /// The Lyapunov equation of a subsystem, solved.
 struct SubsystemLyapunov {
-  Matrix8d P;                 ///< of A'P + P A = -Q with A = [0 I; -K_1 -K_2]
+  Matrix8d P;  ///< of A'P + P A = -Q with A = [0 I; -K_1 -K_2]
   LyapunovSpectrum spectrum;
 };
 /// Throws std::domain_error when there is no positive definite P.
@@ -47,8 +47,8 @@ struct SubsystemGains {
 
 /// What the law is fed with in one step.
 struct SwitchedInput {
-  Vector8d error;                         ///< xi = [e, de], e = q - q_d
-  Eigen::Vector4d desired_acceleration;   ///< second derivative of q_d
+  Vector8d error;                        ///< xi = [e, de], e = q - q_d
+  Eigen::Vector4d desired_acceleration;  ///< second derivative of q_d
   double acceleration;  ///< norm of the second derivative of (z, phi, theta, psi, x, y)
 };
 
@@ -85,10 +85,10 @@ class SwitchedSubsystem {
  private:
   SubsystemParameters parameters_;
   SubsystemLyapunov lyapunov_;
-  Matrix4x8d filter_;          // B'P
-  Matrix4x8d feedback_;        // D Lambda = D [K_1 K_2]
+  Matrix4x8d filter_;    // B'P
+  Matrix4x8d feedback_;  // D Lambda = D [K_1 K_2]
   SubsystemGains gains_;
-  double dt_ = 0.0;            // of the two below, so that a fixed rate pays for them once
+  double dt_ = 0.0;  // of the two below, so that a fixed rate pays for them once
   Eigen::Vector4d decay_ = Eigen::Vector4d::Ones();  // exp(-alpha dt)
   Eigen::Vector4d rise_ = Eigen::Vector4d::Zero();   // (1 - exp(-alpha dt)) / alpha
 };

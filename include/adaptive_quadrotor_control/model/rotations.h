@@ -21,8 +21,7 @@ inline Eigen::Quaterniond yawRotation(double yaw) {
 /// pitch in [-pi/2, pi/2].
 inline Eigen::Vector3d rollPitchYaw(const Eigen::Quaterniond& attitude) {
   const Eigen::Matrix3d R = attitude.toRotationMatrix();
-  return {std::atan2(R(2, 1), R(2, 2)),
-          std::asin(std::min(1.0, std::max(-1.0, -R(2, 0)))),
+  return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::min(1.0, std::max(-1.0, -R(2, 0)))),
           std::atan2(R(1, 0), R(0, 0))};
 }
 

@@ -12,6 +12,8 @@ inline Nanoseconds fromSeconds(double seconds) {
   return static_cast<Nanoseconds>(std::llround(seconds * 1e9));
 }
 
-inline double toSeconds(Nanoseconds time) { return static_cast<double>(time) * 1e-9; }
+inline double toSeconds(Nanoseconds time) {
+  return static_cast<double>(time) * 1e-9;
+}
 
 }  // namespace aqc

@@ -26,18 +26,18 @@ struct Rotor {
 /// A multirotor whose rotors lie in the x-y plane of B and push along +z of B.
 struct Vehicle {
   std::string name;
-  double mass = 0.0;                                     ///< m, empty [kg], > 0
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();     ///< J about the centre of mass, in B [kg m^2]
-  std::vector<Rotor> rotors;                             ///< 4 to kMaxRotors
-  double force_constant = 0.0;                           ///< k_f [N s^2/rad^2], > 0
-  double moment_constant = 0.0;                          ///< k_m [m], > 0: drag moment / thrust
-  double max_rotor_speed = 0.0;                          ///< omega_max [rad/s], > 0
-  double time_constant_up = 0.0;                         ///< of a rotor that speeds up [s], > 0
-  double time_constant_down = 0.0;                       ///< of a rotor that slows down [s], > 0
-  double drag_coefficient = 0.0;                         ///< c_d [N s^2/(rad m)], >= 0
-  double rolling_moment_coefficient = 0.0;               ///< c_r [N s^2/rad], >= 0
-  double gear_height = 0.0;                              ///< from the ground to the origin of B [m]
-  double gear_radius = 0.0;                              ///< of the circle of four feet [m], > 0
+  double mass = 0.0;                                  ///< m, empty [kg], > 0
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< J about the centre of mass, in B [kg m^2]
+  std::vector<Rotor> rotors;                          ///< 4 to kMaxRotors
+  double force_constant = 0.0;                        ///< k_f [N s^2/rad^2], > 0
+  double moment_constant = 0.0;                       ///< k_m [m], > 0: drag moment / thrust
+  double max_rotor_speed = 0.0;                       ///< omega_max [rad/s], > 0
+  double time_constant_up = 0.0;                      ///< of a rotor that speeds up [s], > 0
+  double time_constant_down = 0.0;                    ///< of a rotor that slows down [s], > 0
+  double drag_coefficient = 0.0;                      ///< c_d [N s^2/(rad m)], >= 0
+  double rolling_moment_coefficient = 0.0;            ///< c_r [N s^2/rad], >= 0
+  double gear_height = 0.0;                           ///< from the ground to the origin of B [m]
+  double gear_radius = 0.0;                           ///< of the circle of four feet [m], > 0
 
   /// Largest thrust all rotors give together [N].
   double maxThrust() const;

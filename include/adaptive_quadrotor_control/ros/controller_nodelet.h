@@ -19,11 +19,13 @@ namespace aqc {
 ///
 /// In: `odometry`, `command/trajectory`, `command/pose`. Out: `command/motor_speed`, `~state`.
 /// Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller), `~rate` [Hz]
-/// (default: `scenario/control_rate` where a scenario is loaded, else 250), `~trigger`. All callbacks come from one queue in one thread, so nothing is locked.
+/// (default: `scenario/control_rate` where a scenario is loaded, else 250), `~trigger`. All
+/// callbacks come from one queue in one thread, so nothing is locked.
 ///
 /// `~trigger: timer` runs the law at `~rate` by ROS time on the latest odometry; `odometry` runs
 /// it when odometry that is due arrives and answers every odometry, which a lock-stepped
-/// simulation needs. Before the first good odometry and the first set point only zero speeds are published.
+/// simulation needs. Before the first good odometry and the first set point only zero speeds are
+/// published.
 class ControllerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override;
@@ -47,10 +49,10 @@ class ControllerNodelet : public nodelet::Nodelet {
   Nanoseconds period_ = 0;
   bool odometry_triggers_ = false;
 
-  std::optional<State> state_;          // of the last good odometry
-  Nanoseconds odometry_time_ = 0;       // its stamp
+  std::optional<State> state_;     // of the last good odometry
+  Nanoseconds odometry_time_ = 0;  // its stamp
   std::optional<Nanoseconds> last_step_;
-  bool flying_ = false;                 // a set point was active in the last step
+  bool flying_ = false;  // a set point was active in the last step
   SetPoint set_point_;
   ros::Time trajectory_stamp_;
   std::uint32_t dropped_odometry_ = 0;

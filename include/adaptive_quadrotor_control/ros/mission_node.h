@@ -55,7 +55,7 @@ class MissionNode {
   msgs::ControllerState::ConstPtr state_;  // latest
   Nanoseconds begin_ = 0;                  // ROS time of the scenario's time zero
   bool collecting_ = false;
-  Nanoseconds latest_ = 0;                 // scenario time of the latest state
+  Nanoseconds latest_ = 0;  // scenario time of the latest state
   std::vector<FlightSample> samples_;
   std::map<Nanoseconds, msgs::PlantStatus::ConstPtr> truth_;  // by scenario time
 };

@@ -9,8 +9,9 @@
 
 namespace aqc {
 
-/// The ROS parameters below `key` as the same tree that a YAML file gives. Throws ParameterError
-/// when there are none, or when they hold a type that YAML has no word for.
+/// The ROS parameters below `key` (empty: all of the node handle's namespace) as the same tree that
+/// a YAML file gives. Throws ParameterError when there are none below a key that is not empty, or
+/// when they hold a type that YAML has no word for.
 YAML::Node parameterTree(const ros::NodeHandle& node, const std::string& key);
 
 /// A reader of that tree whose errors print the full ROS names.

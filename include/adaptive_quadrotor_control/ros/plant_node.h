@@ -59,8 +59,8 @@ class PlantNode {
   std::unique_ptr<TimedPlant> plant_;
   RotorArray command_;
   ros::WallTime last_progress_;
-  ros::WallTime wall_start_;     // of the real-time run, and
-  Nanoseconds run_start_ = 0;    // what the clock read then
+  ros::WallTime wall_start_;   // of the real-time run, and
+  Nanoseconds run_start_ = 0;  // what the clock read then
 
   ros::Publisher odometry_publisher_;
   ros::Publisher imu_publisher_;

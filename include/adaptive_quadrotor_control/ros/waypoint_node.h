@@ -23,7 +23,8 @@ namespace aqc {
 /// Turns waypoints into a minimum-snap trajectory within limits and sends it to the controller.
 ///
 /// In: `waypoints` (nav_msgs/Path), `odometry`, `controller/state`. Services: `~fly_path`,
-/// `~cancel`. Out: `command/trajectory`, `~progress` (10 Hz). Parameters: `~speed`, `~acceleration`,
+/// `~cancel`. Out: `command/trajectory`, `~progress` (10 Hz). Parameters: `~speed`,
+/// `~acceleration`,
 /// `~max_tilt_deg`, `~thrust_to_weight`, `~set_point_rate`.
 ///
 /// A path begins at the present set point with its velocity and acceleration, so that nothing

@@ -21,8 +21,8 @@ struct ForceMoment {
 };
 
 /// Contact of a vehicle and its payload with the flat ground z = 0 and with walls, at points: four
-/// feet, the hub of every rotor and the payload's four lower corners. Each point pushes back as a damped spring
-/// along the normal (never pulls) and by friction, viscous up to the Coulomb limit.
+/// feet, the hub of every rotor and the payload's four lower corners. Each point pushes back as a
+/// damped spring along the normal (never pulls) and by friction, viscous up to the Coulomb limit.
 class Contact {
  public:
   Contact(const Vehicle& vehicle, std::vector<Box> walls);
@@ -54,7 +54,8 @@ class Contact {
   static constexpr int kFeet = 4;
   static constexpr int kCorners = 4;
 
-  // Calls visit(index, point in B, penetration, is a wall) for every point that is inside something.
+  // Calls visit(index, point in B, penetration, is a wall) for every point that is inside
+  // something.
   template <class Visit>
   void forEachTouch(const Eigen::Vector3d& position, const Eigen::Matrix3d& rotation,
                     Visit visit) const noexcept;
@@ -64,8 +65,8 @@ class Contact {
   int rotor_count_;
   int point_count_;
   double reach_ = 0.0;  // all points lie this close to the origin of B [m]
-  double stiffness_;  // a point [N/m]
-  double damping_;    // a point, along the normal and across it [N s/m]
+  double stiffness_;    // a point [N/m]
+  double damping_;      // a point, along the normal and across it [N s/m]
 };
 
 }  // namespace aqc

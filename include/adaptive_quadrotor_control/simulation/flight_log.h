@@ -15,8 +15,8 @@ namespace aqc {
 struct FlightSample {
   Nanoseconds time = 0;
   State state;
-  bool flying = false;      ///< a set point was active
-  SetPoint set_point;       ///< the active one
+  bool flying = false;  ///< a set point was active
+  SetPoint set_point;   ///< the active one
   Telemetry telemetry;
   Allocation allocation;
   double payload_mass = 0;  ///< attached then [kg]
@@ -31,17 +31,17 @@ struct FlightLog {
   std::optional<Nanoseconds> crash_time;
   std::string crash_reason;
   std::vector<TimedPlant::Refusal> refusals;  ///< events that had become impossible
-  double real_time_factor = 0.0;  ///< simulated time / wall time; 0 when not measured
+  double real_time_factor = 0.0;              ///< simulated time / wall time; 0 when not measured
 };
 
 struct FlightMetrics {
-  RmsErrors rms;                       ///< over the scenario's window
-  double peak_altitude_error = 0.0;    ///< largest |e_z| after the last payload change [m]
-  double settled_altitude_error = 0.0; ///< mean |e_z| over the last 5 s [m]
-  std::optional<double> crash_time;    ///< [s]
+  RmsErrors rms;                        ///< over the scenario's window
+  double peak_altitude_error = 0.0;     ///< largest |e_z| after the last payload change [m]
+  double settled_altitude_error = 0.0;  ///< mean |e_z| over the last 5 s [m]
+  std::optional<double> crash_time;     ///< [s]
   /// On the ground from this time to the end, though told to fly [s].
   std::optional<double> grounded_from;
-  double duration = 0.0;               ///< [s]
+  double duration = 0.0;  ///< [s]
 };
 
 /// Metrics of a flight of `scenario`. Throws std::invalid_argument when no sample falls into the

@@ -25,8 +25,8 @@ class Plant {
   Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls = {});
 
   /// Advances by `dt` seconds (> 0, about 1e-3) under commanded rotor speeds [rad/s], held over
-  /// the step. A command entry that is not finite counts as 0, others are clamped. After a crash the
-  /// rotors run down whatever is commanded.
+  /// the step. A command entry that is not finite counts as 0, others are clamped. After a crash
+  /// the rotors run down whatever is commanded.
   void step(const RotorArray& command, double dt) noexcept;
 
   /// Motion of the body frame B (base_link), not of the centre of mass.
@@ -41,8 +41,7 @@ class Plant {
 
   /// Fixes a payload, which moved with `velocity` in W [m/s] and did not spin until now, to the
   /// vehicle; total momentum is kept. Throws std::logic_error when one is attached already.
-  void attach(const Payload& payload,
-              const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
+  void attach(const Payload& payload, const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
   /// Lets go of the payload; the vehicle's own motion goes on. Throws std::logic_error without one.
   void detach();
   const std::optional<Payload>& payload() const noexcept { return payload_; }
@@ -52,9 +51,9 @@ class Plant {
   /// A force in W [N] and a moment in B [N m] at the centre of mass, held until changed.
   void setDisturbance(const ForceMoment& disturbance) noexcept { disturbance_ = disturbance; }
 
-  double mass() const noexcept { return mass_; }                              ///< total [kg]
-  const Eigen::Vector3d& centreOfMass() const noexcept { return centre_; }    ///< in B [m]
-  const Eigen::Matrix3d& inertia() const noexcept { return inertia_; }        ///< about it, in B
+  double mass() const noexcept { return mass_; }                            ///< total [kg]
+  const Eigen::Vector3d& centreOfMass() const noexcept { return centre_; }  ///< in B [m]
+  const Eigen::Matrix3d& inertia() const noexcept { return inertia_; }      ///< about it, in B
   /// Of the whole, in W [kg m/s].
   Eigen::Vector3d linearMomentum() const;
   /// Of the whole about `point` (W), in W [kg m^2/s].
@@ -74,7 +73,7 @@ class Plant {
     double speed_sum;       // sum |omega_i|
     double speed_moment_x;  // sum |omega_i| r_i
     double speed_moment_y;
-    double speed_inertia;   // sum |omega_i| |r_i|^2
+    double speed_inertia;  // sum |omega_i| |r_i|^2
   };
   struct Motion;
 
@@ -103,9 +102,9 @@ class Plant {
   bool near_contact_ = true;
   bool touching_ = false;
   Crash crash_ = Crash::kNone;
-  double step_ = 0.0;           // of the decay factors [s]
-  double decay_up_ = 1.0;       // exp(-dt / (2 tau_up))
-  double decay_down_ = 1.0;     // exp(-dt / (2 tau_down))
+  double step_ = 0.0;        // of the decay factors [s]
+  double decay_up_ = 1.0;    // exp(-dt / (2 tau_up))
+  double decay_down_ = 1.0;  // exp(-dt / (2 tau_down))
 };
 
 }  // namespace aqc

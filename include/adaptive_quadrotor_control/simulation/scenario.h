@@ -22,17 +22,17 @@ struct RmsErrors {
 struct Scenario {
   std::string name;
   std::string title;
-  std::string vehicle;                      ///< name of a vehicle file
-  std::vector<std::string> controllers;     ///< names of controller files, flown by default
+  std::string vehicle;                   ///< name of a vehicle file
+  std::vector<std::string> controllers;  ///< names of controller files, flown by default
   Nanoseconds duration = 0;
-  Nanoseconds control_period = 0;           ///< a whole number of plant steps
+  Nanoseconds control_period = 0;  ///< a whole number of plant steps
   Nanoseconds plant_step = 0;
   State start;
-  std::vector<TimedSetPoint> set_points;    ///< by time
-  std::vector<PlantEvent> events;           ///< by time
-  std::vector<Cargo> cargo;                 ///< payloads that lie about at the start
+  std::vector<TimedSetPoint> set_points;  ///< by time
+  std::vector<PlantEvent> events;         ///< by time
+  std::vector<Cargo> cargo;               ///< payloads that lie about at the start
   std::vector<Box> walls;
-  Nanoseconds metrics_from = 0;             ///< RMS errors count from here to the end
+  Nanoseconds metrics_from = 0;                ///< RMS errors count from here to the end
   std::map<std::string, RmsErrors> published;  ///< by controller
 
   /// When the payload last changed, or 0.

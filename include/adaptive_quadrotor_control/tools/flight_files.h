@@ -27,12 +27,14 @@ std::string flightCsv(const FlightLog& log);
 
 /// Metrics of all flights [m, deg, s]:
 ///
-///     {"scenario": s, "flights": [{"controller": s, "rms": {"x", "y", "z", "roll", "pitch",
-///     "yaw"},
+///     {"scenario": s, "flights": [{"controller": s,
+///      "rms": {"x", "y", "z", "roll", "pitch", "yaw"},
 ///      "peak_altitude_error", "settled_altitude_error", "crashed": bool, "crash_time": s|null,
-///      "grounded_from": s|null, "duration": s, "real_time_factor": n|null}]}
+///      "grounded_from": s|null, "duration": s, "real_time_factor": n|null,
+///      "refusals": [{"time": s, "reason": s}]}]}
 ///
-/// What is not finite or was not measured is null. Throws std::invalid_argument as measure() does.
+/// Refusals are events of the scenario that had become impossible in this flight. What is not
+/// finite or was not measured is null. Throws std::invalid_argument as measure() does.
 nlohmann::json flightJson(const std::vector<FlightLog>& logs, const Scenario& scenario);
 
 /// The name of a flight's CSV file: `<controller>.csv`.

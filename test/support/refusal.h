@@ -1,0 +1,39 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+#include <vector>
+
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+
+namespace aqc::test {
+
+/// Fails unless `act` throws a ParameterError whose message holds all of `parts`.
+template <typename Act>
+void expectRefusal(Act act, const std::vector<std::string>& parts) {
+  try {
+    act();
+  } catch (const ParameterError& error) {
+    const std::string message = error.what();
+    for (const std::string& part : parts) {
+      EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+    }
+    return;
+  }
+  ADD_FAILURE() << "not refused; expected: " << parts.front();
+}
+
+inline ParameterReader readerOf(const std::string& yaml, const std::string& name) {
+  return ParameterReader(YAML::Load(yaml), name);
+}
+
+/// `text` with the first `from` replaced by `to`; fails when there is none.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return place == std::string::npos ? text : text.replace(place, from.size(), to);
+}
+
+}  // namespace aqc::test

@@ -1,0 +1,147 @@
+#include "adaptive_quadrotor_control/simulation/mission.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/fixtures.h"
+#include "support/refusal.h"
+
+namespace aqc {
+namespace {
+
+using test::expectRefusal;
+
+constexpr Nanoseconds kSecond = 1'000'000'000;
+
+Mission read(const std::string& entries) {
+  const ParameterReader reader = test::readerOf("mission:\n" + entries, "scenario");
+  SetPoint start;
+  start.position = {1.0, 2.0, 3.0};
+  start.yaw = 0.5;
+  Mission mission = readMission(reader, {{"box", test::box(0.5)}}, start, kSecond / 10);
+  reader.finish();
+  return mission;
+}
+
+void expectRefused(const std::string& entries, const std::vector<std::string>& parts) {
+  expectRefusal([&] { read(entries); }, parts);
+}
+
+TEST(Mission, StepsJump) {
+  const Mission mission = read(R"(
+  - step: {at: 5.0, position: [4, 5, 6], yaw_deg: 90}
+  - step: {at: 7.0, position: [7, 8, 9]}
+)");
+  ASSERT_EQ(mission.set_points.size(), 2u);
+  EXPECT_EQ(mission.set_points[0].time, 5 * kSecond);
+  EXPECT_EQ(mission.set_points[0].set_point.position, Eigen::Vector3d(4, 5, 6));
+  EXPECT_NEAR(mission.set_points[0].set_point.yaw, M_PI_2, 1e-15);
+  EXPECT_EQ(mission.set_points[0].set_point.velocity.norm(), 0.0);
+  EXPECT_EQ(mission.set_points[1].time, 7 * kSecond);
+  EXPECT_NEAR(mission.set_points[1].set_point.yaw, M_PI_2, 1e-15) << "stays as it was";
+  EXPECT_TRUE(mission.events.empty());
+}
+
+TEST(Mission, PathsAreMinimumSnapFromWhereTheVehicleShouldBe) {
+  const Mission mission =
+      read("  - path: {at: 2.0, through: [{at: 4.0, position: [1, 2, 5], yaw_deg: 90}]}\n");
+  ASSERT_EQ(mission.set_points.size(), 21u) << "one every tenth of a second and the end";
+  EXPECT_EQ(mission.set_points.front().time, 2 * kSecond);
+  EXPECT_EQ(mission.set_points.back().time, 4 * kSecond);
+  const SetPoint& first = mission.set_points.front().set_point;
+  const SetPoint& last = mission.set_points.back().set_point;
+  EXPECT_LT((first.position - Eigen::Vector3d(1, 2, 3)).norm(), 1e-9);
+  EXPECT_NEAR(first.yaw, 0.5, 1e-9);
+  EXPECT_LT((last.position - Eigen::Vector3d(1, 2, 5)).norm(), 1e-9);
+  EXPECT_NEAR(last.yaw, M_PI_2, 1e-9);
+  EXPECT_LT(last.velocity.norm() + last.acceleration.norm(), 1e-6);
+  // From rest to rest: z = 3 + 2 (35 u^4 - 84 u^5 + 70 u^6 - 20 u^7); half way at u = 1/2, with
+  // speed 2 * 35/16 / 2 s.
+  const SetPoint& middle = mission.set_points[10].set_point;
+  EXPECT_NEAR(middle.position.z(), 4.0, 1e-9);
+  EXPECT_NEAR(middle.velocity.z(), 35.0 / 16.0, 1e-9);
+  EXPECT_NEAR(middle.acceleration.z(), 0.0, 1e-9);
+}
+
+TEST(Mission, EntriesWithoutATimeBeginWhenTheLastLegEnds) {
+  const Mission mission = read(R"(
+  - path: {at: 1.0, through: [{at: 3.0, position: [0, 0, 1]}]}
+  - hold: {for: 2.5}
+  - step: {position: [1, 1, 1]}
+  - attach: {payload: box}
+  - hold: {for: 1.0}
+  - detach: {}
+)");
+  EXPECT_EQ(mission.set_points.back().time, 5 * kSecond + kSecond / 2);
+  ASSERT_EQ(mission.events.size(), 2u);
+  EXPECT_EQ(mission.events[0].time, 5 * kSecond + kSecond / 2);
+  EXPECT_EQ(mission.events[1].time, 6 * kSecond + kSecond / 2);
+}
+
+TEST(Mission, EventsMayHappenDuringALeg) {
+  const Mission mission = read(R"(
+  - path: {at: 1.0, through: [{at: 3.0, position: [0, 0, 1]}]}
+  - attach: {at: 2.0, payload: box}
+  - wind: {at: 2.5, velocity: [1, -2, 0]}
+  - step: {at: 3.0, position: [0, 0, 2]}
+)");
+  ASSERT_EQ(mission.events.size(), 2u);
+  EXPECT_EQ(mission.events[0].time, 2 * kSecond);
+  EXPECT_EQ(std::get<AttachPayload>(mission.events[0].action).payload.mass, 0.5);
+  EXPECT_EQ(std::get<SetWind>(mission.events[1].action).velocity, Eigen::Vector3d(1, -2, 0));
+}
+
+TEST(Mission, RefusesTimesThatGoBack) {
+  expectRefused("  - step: {at: 5, position: [0, 0, 1]}\n  - step: {at: 4, position: [0, 0, 1]}\n",
+                {"'scenario/mission[1]/step/at'", "4 s", "5 s", "backwards"});
+  expectRefused("  - attach: {at: 5, payload: box}\n  - detach: {at: 4}\n",
+                {"'scenario/mission[1]/detach/at'", "4 s", "5 s"});
+  expectRefused(
+      "  - path: {at: 1, through: [{at: 3, position: [0, 0, 1]}]}\n"
+      "  - step: {at: 2, position: [0, 0, 1]}\n",
+      {"'scenario/mission[1]/step/at'", "2 s", "3 s"});
+  expectRefused("  - path: {at: 5, through: [{at: 5, position: [0, 0, 1]}]}\n",
+                {"'scenario/mission[0]/path/through[0]/at'", "5 s", "after"});
+  expectRefused(
+      "  - path: {at: 1, through: [{at: 3, position: [0, 0, 1]}, {at: 2, position: [0, 0, 2]}]}\n",
+      {"'scenario/mission[0]/path/through[1]/at'", "2 s", "3 s"});
+  expectRefused("  - step: {at: -1, position: [0, 0, 1]}\n",
+                {"'scenario/mission[0]/step/at'", "'-1'", ">= 0"});
+  expectRefused("  - hold: {for: -1}\n", {"'scenario/mission[0]/hold/for'", "'-1'", ">= 0"});
+}
+
+TEST(Mission, RefusesPayloadEventsThatDoNotAlternate) {
+  expectRefused("  - attach: {at: 1, payload: box}\n  - attach: {at: 2, payload: box}\n",
+                {"'scenario/mission[1]/attach/payload'", "already"});
+  expectRefused("  - detach: {at: 1}\n",
+                {"'scenario/mission[0]/detach/at'", "no payload is attached"});
+  expectRefused("  - attach: {at: 1, payload: crate}\n",
+                {"'scenario/mission[0]/attach/payload'", "'crate'", "'payloads'"});
+}
+
+TEST(Mission, RefusesEntriesThatItDoesNotKnow) {
+  expectRefused("  - jump: {at: 1}\n", {"'scenario/mission[0]/jump'", "step, path, hold"});
+  expectRefused("  - {hold: {for: 1}, step: {position: [0, 0, 1]}}\n",
+                {"'scenario/mission[0]", "step, path, hold"});
+  expectRefused("  - {}\n", {"'scenario/mission[0]", "step, path, hold"});
+  expectRefused("  - hold\n", {"'scenario/mission[0]'", "'hold'", "a map"});
+  expectRefused("  - step: {at: 1, position: [0, 0, 1], speed: 3}\n",
+                {"'scenario/mission[0]/step/speed'", "unknown"});
+}
+
+TEST(Mission, RefusesValuesOutOfRange) {
+  expectRefused("  - step: {at: .nan, position: [0, 0, 1]}\n",
+                {"'scenario/mission[0]/step/at'", "'.nan'"});
+  expectRefused("  - step: {at: 1, position: [0, .inf, 1]}\n",
+                {"'scenario/mission[0]/step/position[1]'", "'.inf'", "finite"});
+  expectRefused("  - step: {at: 1}\n", {"'scenario/mission[0]/step/position'", "missing"});
+  expectRefused("  - path: {at: 1, through: []}\n",
+                {"'scenario/mission[0]/path/through'", "at least one waypoint"});
+  expectRefused("  - path: {at: 1}\n", {"'scenario/mission[0]/path/through'", "missing"});
+  expectRefused("  - hold: {}\n", {"'scenario/mission[0]/hold/for'", "missing"});
+}
+
+}  // namespace
+}  // namespace aqc
