@@ -15,6 +15,7 @@
 #include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "figure_script.h"
 #include "gnuplot.h"
+#include "path_figure.h"
 #include "plotted_flight.h"
 
 namespace aqc {
@@ -34,6 +35,7 @@ constexpr const char* kTruthStyle = "lc rgb '#202020' lw 1.6 dt (9,6)";
 constexpr const char* kLimitStyle = "lc rgb '#202020' lw 1.6 dt (3,4)";
 constexpr std::array<const char*, 5> kNames = {"position", "position_error", "attitude_error",
                                                "adaptation", "rotors"};
+constexpr const char* kPathName = "path";
 
 std::string lineStyle(const std::string& colour, double width) {
   char text[64];
@@ -86,6 +88,11 @@ class FigureBuilder {
     for (const FlightLog& log : logs) {
       flights_.push_back(plottedFlight(log, scenario, flights_.size()));
     }
+  }
+
+  /// Where the flights went, in space; worth a figure where there is something to fly around.
+  std::string path() const {
+    return scenario_.walls.empty() ? "" : pathScript(flights_, scenario_);
   }
 
   /// In the order of kNames; one that has nothing to show has no panels.
@@ -256,23 +263,28 @@ void checkPng(const fs::path& path) {
 std::vector<std::string> drawFigures(const std::string& folder, const std::vector<FlightLog>& logs,
                                      const Scenario& scenario, const Vehicle& vehicle,
                                      const std::function<void(double)>& progress) {
-  for (const std::string name : kNames) {
+  std::vector<std::string> names(kNames.begin(), kNames.end());
+  names.push_back(kPathName);
+  for (const std::string& name : names) {
     std::error_code ignored;  // nothing to remove
     fs::remove(fs::path(folder) / (name + ".png"), ignored);
     fs::remove(fs::path(folder) / (name + ".gnuplot"), ignored);
   }
   if (logs.empty()) return {};
-  std::vector<Figure> figures = FigureBuilder(logs, scenario, vehicle).figures();
-  figures.erase(std::remove_if(figures.begin(), figures.end(),
-                               [](const Figure& figure) { return figure.panels.empty(); }),
-                figures.end());
-  for (const Figure& figure : figures) {
-    writeFile((fs::path(folder) / (figure.name + ".gnuplot")).string(), figureScript(figure));
+  const FigureBuilder builder(logs, scenario, vehicle);
+  std::vector<std::pair<std::string, std::string>> scripts;  // by name
+  for (const Figure& figure : builder.figures()) {
+    if (!figure.panels.empty()) scripts.emplace_back(figure.name, figureScript(figure));
+  }
+  if (const std::string path = builder.path(); !path.empty()) scripts.emplace_back(kPathName, path);
+
+  for (const auto& [name, script] : scripts) {
+    writeFile((fs::path(folder) / (name + ".gnuplot")).string(), script);
   }
   // Side by side: reading the CSV files takes gnuplot a second or two a figure.
   std::vector<std::unique_ptr<Gnuplot>> runs;
-  for (const Figure& figure : figures) {
-    runs.push_back(std::make_unique<Gnuplot>(folder, figure.name + ".gnuplot"));
+  for (const auto& entry : scripts) {
+    runs.push_back(std::make_unique<Gnuplot>(folder, entry.first + ".gnuplot"));
   }
   const auto report = [&](std::size_t done) {
     if (progress) progress(static_cast<double>(done) / static_cast<double>(runs.size()));
@@ -281,7 +293,7 @@ std::vector<std::string> drawFigures(const std::string& folder, const std::vecto
   for (std::size_t i = 0; i < runs.size(); ++i) {
     while (!runs[i]->settled(kPatience)) report(i);
     runs[i]->wait();
-    paths.push_back((fs::path(folder) / (figures[i].name + ".png")).string());
+    paths.push_back((fs::path(folder) / (scripts[i].first + ".png")).string());
     checkPng(paths.back());
     report(i + 1);
   }
