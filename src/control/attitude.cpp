@@ -11,7 +11,7 @@ namespace {
 // The force's direction within the limits.
 Eigen::Vector3d thrustDirection(const Eigen::Vector3d& force, const TiltLimits& limits) {
   const double vertical =
-      std::max({force.z(), limits.min_lift, force.head<2>().norm() / std::tan(limits.max_tilt)});
+      std::max({force.z(), limits.min_lift, force.head<2>().norm() * limits.least_ratio});
   const Eigen::Vector3d limited(force.x(), force.y(), vertical);
   const double norm = limited.norm();
   return std::isfinite(norm) ? Eigen::Vector3d(limited / norm) : Eigen::Vector3d::UnitZ();

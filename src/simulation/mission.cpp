@@ -6,6 +6,7 @@
 
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
+#include "adaptive_quadrotor_control/reference/time_allocation.h"
 
 namespace aqc {
 namespace {
@@ -18,6 +19,20 @@ std::string print(Nanoseconds time) {
   std::ostringstream out;
   out << toSeconds(time) << " s";
   return out.str();
+}
+
+Waypoint readWaypoint(const ParameterReader& point, double default_yaw) {
+  Waypoint waypoint;
+  waypoint.position = point.vector3("position", Range::any());
+  waypoint.yaw = point.number("yaw_deg", kAngle, default_yaw / kDegree) * kDegree;
+  return waypoint;
+}
+
+MotionLimits readLimits(const ParameterReader& reader) {
+  return {reader.number("speed", Range::positiveUpTo(100.0)),
+          reader.number("acceleration", Range::positiveUpTo(100.0)),
+          reader.number("tilt_deg", Range::positiveUpTo(80.0), 30.0) * kDegree,
+          reader.number("thrust_to_weight", Range{1.0, 10.0, true}, 1.5)};
 }
 
 // Goes through the entries and remembers where the vehicle should be and when the last leg ended.
@@ -73,29 +88,31 @@ class MissionBuilder {
 
   void path(const ParameterReader& entry) {
     const Nanoseconds start = beginLeg(entry);
-    std::vector<Waypoint> waypoints(1);
-    waypoints.front().position = present_.position;
-    waypoints.front().yaw = present_.yaw;
+    Waypoint present;
+    present.position = present_.position;
+    present.yaw = present_.yaw;
+    std::vector<Waypoint> waypoints = {present};
     std::vector<double> durations;
+    const bool limited = entry.has("limits");  // then the times follow from the limits
     Nanoseconds end = start;
     for (const ParameterReader& point : entry.children("through")) {
+      waypoints.push_back(readWaypoint(point, waypoints.back().yaw));
+      if (limited) continue;
       const Nanoseconds time = fromSeconds(point.number("at", kTime));
       if (time <= end) {
         point.refuse("at", "is " + print(time) + "; it must be after " + print(end));
       }
       durations.push_back(toSeconds(time - end));
       end = time;
-      Waypoint waypoint;
-      waypoint.position = point.vector3("position", Range::any());
-      waypoint.yaw = point.number("yaw_deg", kAngle, waypoints.back().yaw / kDegree) * kDegree;
-      waypoints.push_back(waypoint);
     }
-    if (durations.empty()) entry.refuse("through", "is empty; it must list at least one waypoint");
-    const PolynomialTrajectory trajectory = minimumSnap(waypoints, durations);
+    if (waypoints.size() < 2) entry.refuse("through", "is empty; it must list a waypoint");
+    const PolynomialTrajectory trajectory =
+        limited ? minimumSnapWithin(waypoints, readLimits(entry.child("limits")))
+                : minimumSnap(waypoints, durations);
     const std::vector<TimedSetPoint> leg = sample(trajectory, start, period_);
     mission_.set_points.insert(mission_.set_points.end(), leg.begin(), leg.end());
     present_ = leg.back().set_point;
-    leg_end_ = end;
+    leg_end_ = leg.back().time;
   }
 
   void hold(const ParameterReader& entry) { leg_end_ += fromSeconds(entry.number("for", kTime)); }

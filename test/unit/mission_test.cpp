@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,34 @@ TEST(Mission, PathsAreMinimumSnapFromWhereTheVehicleShouldBe) {
   EXPECT_NEAR(middle.position.z(), 4.0, 1e-9);
   EXPECT_NEAR(middle.velocity.z(), 35.0 / 16.0, 1e-9);
   EXPECT_NEAR(middle.acceleration.z(), 0.0, 1e-9);
+}
+
+TEST(Mission, PathsWithinLimitsAreAsFastAsTheseAllow) {
+  const Mission mission = read(R"(
+  - path: {at: 2.0, limits: {speed: 2.0, acceleration: 1.5}, through: [{position: [5, 2, 3]},
+                                                                      {position: [5, 6, 4]}]}
+  - step: {position: [0, 0, 1]}
+)");
+  double speed = 0.0;
+  double acceleration = 0.0;
+  for (const TimedSetPoint& timed : mission.set_points) {
+    speed = std::max(speed, timed.set_point.velocity.norm());
+    acceleration = std::max(acceleration, timed.set_point.acceleration.norm());
+  }
+  EXPECT_LE(speed, 2.0 * (1.0 + 1e-6));
+  EXPECT_LE(acceleration, 1.5 * (1.0 + 1e-6));
+  EXPECT_TRUE(speed > 1.9 || acceleration > 1.4) << "one of the limits is used";
+  const TimedSetPoint& end = mission.set_points[mission.set_points.size() - 2];
+  EXPECT_LT((end.set_point.position - Eigen::Vector3d(5, 6, 4)).norm(), 1e-9);
+  EXPECT_EQ(mission.set_points.back().time, end.time) << "the step follows the last leg";
+  expectRefused(
+      "  - path: {at: 2.0, limits: {speed: 0.0, acceleration: 1.0}, through: [{position: [5, 2, "
+      "3]}]}\n",
+      {"limits/speed", "'0.0'", "> 0"});
+  expectRefused(
+      "  - path: {at: 2.0, limits: {speed: 1.0, acceleration: 1.0}, through: [{at: 3.0, position: "
+      "[5, 2, 3]}]}\n",
+      {"through[0]/at", "unknown"});
 }
 
 TEST(Mission, EntriesWithoutATimeBeginWhenTheLastLegEnds) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/reference/set_point.h"
@@ -18,10 +19,14 @@ struct AttitudeErrors {
 /// Limits that keep assumption 2 of the thesis, |phi_d|, |theta_d| < pi/2, whatever force a law
 /// asks for. Both raise the vertical part of the force for the attitude's sake only.
 struct TiltLimits {
+  TiltLimits(double tilt, double lift)
+      : max_tilt(tilt), min_lift(lift), least_ratio(1.0 / std::tan(tilt)) {}
+
   double max_tilt;  ///< of the desired attitude [rad], in (0, pi/2)
   /// Least vertical force that decides the attitude [N], > 0. A law that asks for a dive asks for a
   /// small or downward force, whose direction is no attitude to fly.
   double min_lift;
+  double least_ratio;  ///< of the vertical force to the horizontal one: that of max_tilt
 };
 
 /// The attitude R_d whose z axis points along the commanded force (thesis eq. int_co).

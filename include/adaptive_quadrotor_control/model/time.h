@@ -13,7 +13,7 @@ inline Nanoseconds fromSeconds(double seconds) {
 }
 
 inline double toSeconds(Nanoseconds time) {
-  return static_cast<double>(time) * 1e-9;
+  return static_cast<double>(time) / 1e9;
 }
 
 }  // namespace aqc

@@ -21,6 +21,9 @@ struct Mission {
 ///     step:   {at, position: [x, y, z], yaw_deg}      jump of the set point
 ///     path:   {at, through: [{at, position, yaw_deg}, ...]}
 ///             minimum snap from the present set point through these, at rest at both ends
+///     path:   {at, limits: {speed, acceleration, tilt_deg, thrust_to_weight}, through: [...]}
+///             the same as fast as the limits allow, its waypoints without times; tilt_deg and
+///             thrust_to_weight are 30 and 1.5 when not given
 ///     hold:   {for}                                   nothing new for so many seconds
 ///     attach: {at, payload}                           a name of the scenario's `payloads`
 ///     detach: {at}

@@ -1,0 +1,61 @@
+#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+
+#include <gtest/gtest.h>
+
+#include "support/fixtures.h"
+
+namespace aqc {
+namespace {
+
+/// Three seconds: a step at 1 s, a payload at 2 s.
+Scenario shortScenario() {
+  Scenario scenario = loadScenario(test::configFile("scenario/aggressive_manoeuvre"));
+  scenario.duration = fromSeconds(3.0);
+  scenario.start.position.z() = 1.0;
+  scenario.set_points.resize(1);
+  scenario.set_points[0].time = fromSeconds(0.0);
+  scenario.set_points[0].set_point.position = {0.5, -0.3, 1.5};
+  scenario.events = {{fromSeconds(2.0), AttachPayload{"box", test::box(0.5)}}};
+  return scenario;
+}
+
+TEST(ClosedLoop, IsTheControllerFedWithThePlantsStateAtItsRate) {
+  const Vehicle vehicle = test::pelican();
+  for (const char* law : {"asmc", "smc", "geometric"}) {
+    const FlightLog log = fly(shortScenario(), vehicle, law, test::lawNamed(law, vehicle), {});
+    FlightController controller(vehicle, test::lawNamed(law, vehicle));
+    for (const FlightSample& sample : log.samples) {
+      const SetPoint* set_point = sample.flying ? &sample.set_point : nullptr;
+      const RotorArray speeds = controller.step(sample.state, set_point, 0.01).speeds;
+      ASSERT_TRUE(test::sameBits(speeds, sample.allocation.speeds)) << law;
+    }
+  }
+}
+
+TEST(ClosedLoop, HoldsTheRotorSpeedsBetweenControlSteps) {
+  const Vehicle vehicle = test::pelican();
+  const Scenario scenario = shortScenario();
+  const FlightLog log = fly(scenario, vehicle, "asmc", test::lawNamed("asmc", vehicle), {});
+  TimedPlant plant(Plant(vehicle, scenario.start), {}, scenario.plant_step);
+  for (const PlantEvent& event : scenario.events) plant.schedule(event);
+  for (const FlightSample& sample : log.samples) {
+    ASSERT_EQ(sample.time, plant.now());
+    ASSERT_TRUE(test::sameBits(sample.state, plant.plant().state()));
+    plant.advance(sample.allocation.speeds, plant.now() + scenario.control_period);
+  }
+  EXPECT_EQ(plant.now(), scenario.duration);
+}
+
+TEST(ClosedLoop, EndsWithTheScenarioEvenInTheMiddleOfAControlPeriod) {
+  const Vehicle vehicle = test::pelican();
+  Scenario scenario = shortScenario();
+  scenario.duration = fromSeconds(2.505);
+  ClosedLoop loop(scenario, vehicle, test::lawNamed("asmc", vehicle));
+  int steps = 0;
+  for (; !loop.done(); ++steps) loop.advance();
+  EXPECT_EQ(steps, 251);
+  EXPECT_EQ(loop.plant().now(), scenario.duration);
+}
+
+}  // namespace
+}  // namespace aqc
