@@ -105,7 +105,8 @@ class MissionBuilder {
       durations.push_back(toSeconds(time - end));
       end = time;
     }
-    if (waypoints.size() < 2) entry.refuse("through", "is empty; it must list a waypoint");
+    if (waypoints.size() < 2)
+      entry.refuse("through", "is empty; it must list at least one waypoint");
     const PolynomialTrajectory trajectory =
         limited ? minimumSnapWithin(waypoints, readLimits(entry.child("limits")))
                 : minimumSnap(waypoints, durations);
