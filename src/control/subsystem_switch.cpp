@@ -1,5 +1,6 @@
 #include "adaptive_quadrotor_control/control/subsystem_switch.h"
 
+#include <sstream>
 #include <stdexcept>
 
 namespace aqc {
@@ -49,6 +50,14 @@ SwitchVerdict SubsystemSwitch::request(int subsystem, Nanoseconds now) noexcept 
   ++counts_.switched;
   active_ = subsystem;
   return {early ? SwitchOutcome::kSwitchedTooEarly : SwitchOutcome::kSwitched, earliest};
+}
+
+std::string SubsystemSwitch::text() const {
+  std::ostringstream out;
+  out << bound_.text() << "; enforced: " << toSeconds(monitor_.dwellTime())
+      << " s, N_0 = " << monitor_.chatterBound() << ", policy "
+      << (policy_ == Policy::kRefuse ? "refuse" : "warn");
+  return out.str();
 }
 
 void SubsystemSwitch::restart() noexcept {

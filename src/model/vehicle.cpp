@@ -62,8 +62,8 @@ Vehicle readVehicle(const ParameterReader& reader) {
   vehicle.force_constant = rotors.number("force_constant", Range::positive());
   vehicle.moment_constant = rotors.number("moment_constant", Range::positive());
   vehicle.max_rotor_speed = rotors.number("max_speed", Range::positive());
-  vehicle.time_constant_up = rotors.number("time_constant_up", Range::positiveUpTo(10.0));
-  vehicle.time_constant_down = rotors.number("time_constant_down", Range::positiveUpTo(10.0));
+  vehicle.time_constant_up = rotors.number("time_constant_up", Range::between(0.0, 10.0));
+  vehicle.time_constant_down = rotors.number("time_constant_down", Range::between(0.0, 10.0));
   vehicle.drag_coefficient = rotors.number("drag_coefficient", Range::nonNegative());
   vehicle.rolling_moment_coefficient =
       rotors.number("rolling_moment_coefficient", Range::nonNegative());

@@ -58,6 +58,14 @@ void ControllerNodelet::connect() {
   trajectory_subscriber_ =
       node.subscribe("command/trajectory", 10, &ControllerNodelet::onTrajectory, this, fast);
   pose_subscriber_ = node.subscribe("command/pose", 10, &ControllerNodelet::onPose, this, fast);
+  if (SubsystemSwitch* subsystems = controller_->subsystems()) {
+    switch_ = std::make_unique<SwitchInput>(node, *subsystems);
+  }
+  if (controller_->law().needsImu()) {
+    imu_ = std::make_unique<ImuInput>(node, [this] {
+      if (waiting_ && imu_->covers(odometry_time_)) answer();
+    });
+  }
   if (!odometry_triggers_) {
     timer_ = node.createTimer(ros::Duration().fromNSec(period_), &ControllerNodelet::onTimer, this);
   }
@@ -83,9 +91,21 @@ void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) 
   const bool repeated = last_step_ && time == *last_step_ && flying_;
   const bool early = last_step_ && time > *last_step_ && time < *last_step_ + period_;
   if (repeated || early) return publishMotors();
-  const Nanoseconds elapsed = last_step_ ? time - *last_step_ : period_;
+  // Which of the two connections delivers first is chance. Whoever asks again gets an answer: the
+  // IMU may have fallen silent.
+  const bool wait = imu_ && !waiting_ && imu_->awaits(time);
+  if (wait) {
+    waiting_ = true;
+  } else {
+    answer();
+  }
+}
+
+void ControllerNodelet::answer() {
+  waiting_ = false;
+  const Nanoseconds elapsed = last_step_ ? odometry_time_ - *last_step_ : period_;
   // Odometry that pauses must not make one huge step of the adaptive laws.
-  step(time, toSeconds(std::clamp(elapsed, period_, 2 * period_)));
+  step(odometry_time_, toSeconds(std::clamp(elapsed, period_, 2 * period_)));
 }
 
 void ControllerNodelet::onTimer(const ros::TimerEvent&) {
@@ -97,6 +117,8 @@ void ControllerNodelet::step(Nanoseconds now, double dt) {
   const SetPoint* set_point = state_ ? schedule_.at(now) : nullptr;
   flying_ = set_point != nullptr;
   if (flying_) set_point_ = *set_point;
+  if (switch_) switch_->step(now);
+  if (imu_) imu_->feed(*controller_, odometry_time_);
   controller_->step(state_.value_or(State()), set_point, dt);
   publishMotors();
   publishState();
@@ -126,6 +148,8 @@ void ControllerNodelet::publishState() {
   state->set_points_pending = static_cast<std::uint32_t>(schedule_.pending());
   state->dropped_odometry = dropped_odometry_;
   state->dropped_set_points = dropped_set_points_;
+  if (imu_) imu_->fill(*state);
+  if (switch_) switch_->fill(*state, odometry_time_);
   state_publisher_.publish(state);
 }
 

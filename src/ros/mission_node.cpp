@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "adaptive_quadrotor_control/ActiveSubsystem.h"
+#include "adaptive_quadrotor_control/ApplyDisturbance.h"
 #include "adaptive_quadrotor_control/AttachPayload.h"
 #include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/SetBody.h"
 #include "adaptive_quadrotor_control/SetWind.h"
 #include "adaptive_quadrotor_control/ros/parameter_tree.h"
 #include "adaptive_quadrotor_control/tools/progress_bar.h"
@@ -16,7 +19,8 @@
 namespace aqc {
 namespace {
 
-constexpr double kPatience = 30.0;  // for another node to answer [s], wall
+constexpr double kPatience = 30.0;              // for another node to answer [s], wall
+constexpr std::uint32_t kMostSwitches = 10000;  // in a schedule
 
 }  // namespace
 
@@ -30,6 +34,7 @@ MissionNode::MissionNode() {
   const auto fast = ros::TransportHints().tcpNoDelay();
   trajectory_publisher_ =
       node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("command/trajectory", 1, true);
+  switch_publisher_ = node_.advertise<msgs::ActiveSubsystem>("active_subsystem", kMostSwitches);
   // Unlimited queues: a lock-stepped flight outruns this node, and no sample may be missing.
   state_subscriber_ = node_.subscribe("controller/state", 0, &MissionNode::onState, this, fast);
   status_subscriber_ = node_.subscribe("plant/status", 0, &MissionNode::onStatus, this, fast);
@@ -38,6 +43,7 @@ MissionNode::MissionNode() {
 void MissionNode::onState(const msgs::ControllerState::ConstPtr& message) {
   state_ = message;
   if (!collecting_) return;
+  noteRefusals();
   FlightSample sample = toSample(*message);
   sample.time -= begin_;
   latest_ = sample.time;
@@ -74,6 +80,31 @@ void MissionNode::sendSetPoints() {
           [this] { return state_ && toNanoseconds(state_->trajectory_stamp) == begin_; });
 }
 
+void MissionNode::sendSwitches() {
+  known_refusals_ = state_->switch_refusals;
+  if (scenario_.switches.empty() || state_->active_subsystem == 0) return;
+  waitFor("the controller to listen to " + switch_publisher_.getTopic(),
+          [this] { return switch_publisher_.getNumSubscribers() > 0; });
+  const std::size_t waiting = state_->switches_pending;
+  for (const SwitchOrder& order : scenario_.switches) {
+    msgs::ActiveSubsystem message;
+    message.header.stamp = toRosTime(begin_ + order.time);
+    message.subsystem = static_cast<std::uint8_t>(order.subsystem);
+    switch_publisher_.publish(message);
+  }
+  waitFor("the controller to accept the switches",
+          [&] { return state_->switches_pending >= waiting + scenario_.switches.size(); });
+}
+
+void MissionNode::noteRefusals() {
+  if (state_->switch_refusals == known_refusals_) return;
+  known_refusals_ = state_->switch_refusals;
+  const Nanoseconds now = toNanoseconds(state_->header.stamp);
+  refusals_.push_back(
+      {now - begin_, switchObjection(state_->refused_subsystem, state_->switch_refusal,
+                                     toNanoseconds(state_->next_switch_allowed), now, begin_)});
+}
+
 template <class Service>
 void MissionNode::call(const std::string& name, Service& service) {
   if (!ros::service::call(node_.resolveName(name), service)) {
@@ -86,27 +117,43 @@ void MissionNode::call(const std::string& name, Service& service) {
 }
 
 void MissionNode::sendEvents() {
-  for (const PlantEvent& event : scenario_.events) {
-    const ros::Time at = toRosTime(begin_ + event.time);
-    if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
-      msgs::AttachPayload service;
-      service.request.at = at;
-      service.request.name = attach->name;
-      service.request.mass = attach->payload.mass;
-      service.request.size = toVector3(attach->payload.size);
-      service.request.offset = toVector3(attach->payload.offset);
-      service.request.inertia = toVector3(attach->payload.inertia.diagonal());
-      call("plant/attach_payload", service);
-    } else if (const auto* wind = std::get_if<SetWind>(&event.action)) {
-      msgs::SetWind service;
-      service.request.at = at;
-      service.request.velocity = toVector3(wind->velocity);
-      call("plant/set_wind", service);
-    } else {
-      msgs::DetachPayload service;
-      service.request.at = at;
-      call("plant/detach_payload", service);
-    }
+  for (const PlantEvent& event : scenario_.events) send(event);
+}
+
+void MissionNode::send(const PlantEvent& event) {
+  const ros::Time at = toRosTime(begin_ + event.time);
+  if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
+    msgs::AttachPayload service;
+    service.request.at = at;
+    service.request.name = attach->name;
+    service.request.mass = attach->payload.mass;
+    service.request.size = toVector3(attach->payload.size);
+    service.request.offset = toVector3(attach->payload.offset);
+    service.request.inertia = toVector3(attach->payload.inertia.diagonal());
+    call("plant/attach_payload", service);
+  } else if (const auto* wind = std::get_if<SetWind>(&event.action)) {
+    msgs::SetWind service;
+    service.request.at = at;
+    service.request.velocity = toVector3(wind->velocity);
+    call("plant/set_wind", service);
+  } else if (const auto* body = std::get_if<SetBody>(&event.action)) {
+    msgs::SetBody service;
+    service.request.at = at;
+    service.request.mass = body->mass;
+    service.request.inertia = toVector3(body->inertia.diagonal());
+    call("plant/set_body", service);
+  } else if (const auto* disturbance = std::get_if<ApplyDisturbance>(&event.action)) {
+    msgs::ApplyDisturbance service;
+    service.request.at = at;
+    service.request.for_so_long.fromNSec(disturbance->duration);
+    service.request.force = toVector3(disturbance->amplitude.force);
+    service.request.moment = toVector3(disturbance->amplitude.moment);
+    service.request.angular_frequency = disturbance->angular_frequency;
+    call("plant/apply_disturbance", service);
+  } else {
+    msgs::DetachPayload service;
+    service.request.at = at;
+    call("plant/detach_payload", service);
   }
 }
 
@@ -120,7 +167,11 @@ FlightLog MissionNode::fly() {
   waitFor("the controller's state", [this] { return state_ != nullptr; });
   begin_ = toNanoseconds(status_->header.stamp);
   sendSetPoints();
+  sendSwitches();
   sendEvents();
+  if (state_->imu_lost) {
+    waitFor("the controller to hear the IMU", [this] { return !state_->imu_lost; });
+  }
 
   collecting_ = true;
   const ros::WallTime start = ros::WallTime::now();
@@ -149,7 +200,10 @@ FlightLog MissionNode::takeLog(double wall_seconds) {
     if (truth == truth_.begin()) continue;
     sample.payload_mass = std::prev(truth)->second->payload_mass;
     sample.touching = std::prev(truth)->second->touching;
+    sample.disturbance = {toEigen(std::prev(truth)->second->disturbance_force),
+                          toEigen(std::prev(truth)->second->disturbance_moment)};
   }
+  log.refusals = std::move(refusals_);
   if (status_->crashed) {
     log.crash_time = toNanoseconds(status_->crash_time) - begin_;
     log.crash_reason = status_->crash_reason;

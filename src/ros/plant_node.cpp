@@ -5,6 +5,8 @@
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/Imu.h>
 
+#include <cmath>
+
 #include "adaptive_quadrotor_control/PlantStatus.h"
 #include "adaptive_quadrotor_control/ros/conversions.h"
 #include "adaptive_quadrotor_control/ros/parameter_tree.h"
@@ -47,6 +49,8 @@ PlantNode::PlantNode()
   services_ = {private_node_.advertiseService("attach_payload", &PlantNode::onAttach, this),
                private_node_.advertiseService("detach_payload", &PlantNode::onDetach, this),
                private_node_.advertiseService("set_wind", &PlantNode::onWind, this),
+               private_node_.advertiseService("set_body", &PlantNode::onBody, this),
+               private_node_.advertiseService("apply_disturbance", &PlantNode::onDisturbance, this),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
   const double period = toSeconds(scenario_.control_period) / real_time_factor_;
@@ -56,8 +60,9 @@ PlantNode::PlantNode()
 }
 
 void PlantNode::restart(Nanoseconds start) {
-  plant_ = std::make_unique<TimedPlant>(Plant(vehicle_, scenario_.start, scenario_.walls),
-                                        scenario_.cargo, scenario_.plant_step, start);
+  plant_ = std::make_unique<TimedPlant>(
+      Plant(vehicle_, scenario_.start, scenario_.walls, scenario_.ground), scenario_.cargo,
+      scenario_.plant_step, start);
   command_ = RotorArray::Zero(static_cast<Eigen::Index>(vehicle_.rotors.size()));
   wall_start_ = last_progress_ = ros::WallTime::now();
   run_start_ = start;
@@ -139,7 +144,10 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   status.crashed = plant_->crashTime().has_value();
   status.crash_reason = toString(plant.crash());
   if (status.crashed) status.crash_time = toRosTime(*plant_->crashTime());
-  status.payload_mass = plant.payload() ? plant.payload()->mass : 0.0;
+  status.payload_mass = plant.payloadMass();
+  const ForceMoment disturbance = plant_->disturbance();
+  status.disturbance_force = toVector3(disturbance.force);
+  status.disturbance_moment = toVector3(disturbance.moment);
   status.rotor_speeds.assign(plant.rotorSpeeds().begin(), plant.rotorSpeeds().end());
   status_publisher_.publish(status);
 }
@@ -192,6 +200,34 @@ bool PlantNode::onWind(msgs::SetWind::Request& request, msgs::SetWind::Response&
   if (velocity.allFinite()) return plan(request.at, SetWind{velocity}, response);
   response.success = false;
   response.message = "the wind has a number that is not finite";
+  return true;
+}
+
+bool PlantNode::onBody(msgs::SetBody::Request& request, msgs::SetBody::Response& response) {
+  const Eigen::Vector3d inertia = toEigen(request.inertia);
+  const bool positive = request.mass > 0.0 && inertia.minCoeff() > 0.0;
+  if (positive && std::isfinite(request.mass) && inertia.allFinite()) {
+    return plan(request.at, SetBody{request.mass, inertia.asDiagonal()}, response);
+  }
+  response.success = false;
+  response.message = "mass and inertia must be finite and > 0";
+  return true;
+}
+
+bool PlantNode::onDisturbance(msgs::ApplyDisturbance::Request& request,
+                              msgs::ApplyDisturbance::Response& response) {
+  const ApplyDisturbance disturbance{request.for_so_long.toNSec(),
+                                     {toEigen(request.force), toEigen(request.moment)},
+                                     request.angular_frequency};
+  const bool finite = disturbance.amplitude.force.allFinite() &&
+                      disturbance.amplitude.moment.allFinite() &&
+                      std::isfinite(disturbance.angular_frequency);
+  if (finite && disturbance.duration > 0 && disturbance.angular_frequency >= 0.0) {
+    return plan(request.at, disturbance, response);
+  }
+  response.success = false;
+  response.message =
+      "force, moment and frequency must be finite, the frequency >= 0 and the duration > 0";
   return true;
 }
 

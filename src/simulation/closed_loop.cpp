@@ -7,12 +7,25 @@ namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
                        std::unique_ptr<Controller> law)
-    : plant_(Plant(vehicle, scenario.start, scenario.walls), scenario.cargo, scenario.plant_step),
+    : plant_(Plant(vehicle, scenario.start, scenario.walls, scenario.ground), scenario.cargo,
+             scenario.plant_step),
       controller_(vehicle, std::move(law)),
       schedule_(scenario.set_points),
       period_(scenario.control_period),
       duration_(scenario.duration) {
   for (const PlantEvent& event : scenario.events) plant_.schedule(event);
+  for (const SwitchOrder& order : scenario.switches) switches_.plan(order);
+}
+
+void ClosedLoop::switchSubsystem() {
+  SubsystemSwitch* subsystems = controller_.subsystems();
+  if (subsystems == nullptr) return;
+  while (const auto report = switches_.next(*subsystems, plant_.now())) {
+    if (!report->objected()) continue;
+    const std::string outcome = toString(report->verdict.outcome);
+    objections_.push_back({report->time, switchObjection(report->order.subsystem, outcome,
+                                                         report->allowed, report->time, 0)});
+  }
 }
 
 void ClosedLoop::advance() {
@@ -22,8 +35,11 @@ void ClosedLoop::advance() {
   last_.flying = set_point != nullptr;
   if (last_.flying) last_.set_point = *set_point;
   last_.touching = plant_.plant().touching();
-  last_.payload_mass = plant_.plant().payload() ? plant_.plant().payload()->mass : 0.0;
+  last_.payload_mass = plant_.plant().payloadMass();
+  last_.disturbance = plant_.disturbance();
 
+  switchSubsystem();
+  controller_.senseSpecificForce(plant_.plant().specificForce());
   const Allocation& allocation = controller_.step(last_.state, set_point, toSeconds(period_));
   plant_.advance(allocation.speeds, std::min(plant_.now() + period_, duration_));
 }
@@ -41,6 +57,9 @@ FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::strin
   FlightLog log;
   log.controller = controller_name;
   log.adaptive_names = loop.controller().law().adaptiveNames();
+  if (const SubsystemSwitch* subsystems = loop.controller().subsystems()) {
+    log.dwell_time = subsystems->text();
+  }
   while (!loop.done()) {
     loop.advance();
     log.samples.push_back(loop.sample());
@@ -49,6 +68,9 @@ FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::strin
     }
   }
   log.refusals = loop.plant().refusals();
+  log.refusals.insert(log.refusals.end(), loop.objections().begin(), loop.objections().end());
+  const auto earlier = [](const auto& a, const auto& b) { return a.time < b.time; };
+  std::stable_sort(log.refusals.begin(), log.refusals.end(), earlier);
   log.crash_time = loop.plant().crashTime();
   if (log.crash_time) log.crash_reason = toString(loop.plant().plant().crash());
   return log;

@@ -31,8 +31,9 @@ const char* toString(Crash crash) {
   return "unknown";
 }
 
-Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls)
+Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
     : walls_(std::move(walls)),
+      ground_(ground),
       rotor_count_(static_cast<int>(vehicle.rotors.size())),
       stiffness_(vehicle.mass * kGravity / (kFeet * kRestSink)),
       damping_(2.0 * kDampingRatio * std::sqrt(stiffness_ * vehicle.mass / kFeet)) {
@@ -65,7 +66,7 @@ void Contact::setPayload(const Payload* payload) {
 
 bool Contact::near(const Eigen::Vector3d& position, double margin) const noexcept {
   const double distance = reach_ + margin;
-  if (position.z() < distance) return true;
+  if (ground_ && position.z() < distance) return true;
   return std::any_of(walls_.begin(), walls_.end(), [&](const Box& wall) {
     return ((position - wall.min).array() > -distance).all() &&
            ((wall.max - position).array() > -distance).all();
@@ -79,7 +80,7 @@ void Contact::forEachTouch(const Eigen::Vector3d& position, const Eigen::Matrix3
     const Eigen::Vector3d& point = points_[static_cast<std::size_t>(i)];
     const Eigen::Vector3d place = position + rotation * point;
     const Penetration ground = penetrationIntoGround(place);
-    if (ground.depth > 0.0) visit(i, point, ground, false);
+    if (ground_ && ground.depth > 0.0) visit(i, point, ground, false);
     for (const Box& wall : walls_) {
       const Penetration inside = penetrationInto(wall, place);
       if (inside.depth > 0.0) visit(i, point, inside, true);

@@ -30,6 +30,7 @@ FlightMetrics measure(const FlightLog& log, const Scenario& scenario) {
   for (const FlightSample& sample : log.samples) {
     if (!sample.flying) continue;
     const double altitude_error = std::abs(sample.telemetry.position_error.z());
+    metrics.final_lateral_error = sample.telemetry.position_error.head<2>().norm();
     if (sample.time >= scenario.metrics_from) {
       position += sample.telemetry.position_error.array().square();
       attitude += sample.telemetry.attitude_error.array().square();

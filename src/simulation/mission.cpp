@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "adaptive_quadrotor_control/control/switched.h"
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/reference/time_allocation.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 const Range kTime = Range::between(0.0, 1e6);
+const Range kFrequency = Range::between(0.0, 1e3);
 const Range kAngle = Range::between(-3600.0, 3600.0);
 
 std::string print(Nanoseconds time) {
@@ -48,13 +50,15 @@ class MissionBuilder {
     using Member = void (MissionBuilder::*)(const ParameterReader&);
     static const std::map<std::string, Member> verbs = {
         {"step", &MissionBuilder::step},     {"path", &MissionBuilder::path},
-        {"hold", &MissionBuilder::hold},     {"attach", &MissionBuilder::attach},
-        {"detach", &MissionBuilder::detach}, {"wind", &MissionBuilder::wind}};
+        {"sine", &MissionBuilder::sine},     {"hold", &MissionBuilder::hold},
+        {"attach", &MissionBuilder::attach}, {"detach", &MissionBuilder::detach},
+        {"wind", &MissionBuilder::wind},     {"body", &MissionBuilder::body},
+        {"switch", &MissionBuilder::change}, {"disturbance", &MissionBuilder::disturbance}};
     const auto found = verbs.find(verb);
     if (found == verbs.end()) {
       entry.refuse(verb,
-                   "is not a mission entry; it must be one of step, path, hold, attach, "
-                   "detach, wind, each in a list item of its own");
+                   "is not a mission entry; it must be one of step, path, hold, sine, attach, "
+                   "detach, wind, body, disturbance, switch, each in a list item of its own");
     }
     (this->*found->second)(entry.child(verb));
   }
@@ -116,6 +120,37 @@ class MissionBuilder {
     leg_end_ = leg.back().time;
   }
 
+  // Where an entry that begins at `begin` ends.
+  static Nanoseconds readEnd(const ParameterReader& entry, Nanoseconds begin) {
+    const Nanoseconds end = fromSeconds(entry.number("until", kTime));
+    if (end <= begin) {
+      entry.refuse("until", "is " + print(end) + "; it must be after " + print(begin));
+    }
+    return end;
+  }
+
+  void sine(const ParameterReader& entry) {
+    const Nanoseconds start = beginLeg(entry);
+    const Nanoseconds end = readEnd(entry, start);
+    const Eigen::Vector3d middle = entry.vector3("position", Range::any());
+    const Eigen::Vector3d amplitude = entry.vector3("amplitude", Range::any());
+    const double frequency = entry.number("angular_frequency", kFrequency);
+    SetPoint point;
+    point.yaw = entry.number("yaw_deg", kAngle, present_.yaw / kDegree) * kDegree;
+    for (Nanoseconds time = start; time < end; time += period_) {
+      const double phase = frequency * toSeconds(time - start);
+      point.position = middle + amplitude * std::sin(phase);
+      point.velocity = amplitude * (frequency * std::cos(phase));
+      point.acceleration = amplitude * (-frequency * frequency * std::sin(phase));
+      mission_.set_points.push_back({time, point});
+    }
+    present_ = SetPoint();
+    present_.position = middle + amplitude * std::sin(frequency * toSeconds(end - start));
+    present_.yaw = point.yaw;
+    mission_.set_points.push_back({end, present_});
+    leg_end_ = end;
+  }
+
   void hold(const ParameterReader& entry) { leg_end_ += fromSeconds(entry.number("for", kTime)); }
 
   void attach(const ParameterReader& entry) {
@@ -140,6 +175,28 @@ class MissionBuilder {
   void wind(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
     mission_.events.push_back({time, SetWind{entry.vector3("velocity", Range::any())}});
+  }
+
+  void body(const ParameterReader& entry) {
+    const Nanoseconds time = beginEvent(entry);
+    const double mass = entry.number("mass", Range::positive());
+    mission_.events.push_back({time, SetBody{mass, entry.positiveDefinite("inertia")}});
+  }
+
+  void disturbance(const ParameterReader& entry) {
+    const Nanoseconds time = beginEvent(entry);
+    ApplyDisturbance disturbance;
+    disturbance.duration = readEnd(entry, time) - time;
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    disturbance.amplitude.force = entry.vector3("force", Range::any(), none);
+    disturbance.amplitude.moment = entry.vector3("moment", Range::any(), none);
+    disturbance.angular_frequency = entry.number("angular_frequency", kFrequency, 0.0);
+    mission_.events.push_back({time, disturbance});
+  }
+
+  void change(const ParameterReader& entry) {
+    const Nanoseconds time = beginEvent(entry);
+    mission_.switches.push_back({time, entry.integer("subsystem", 1, kMaxSubsystems)});
   }
 
   const std::map<std::string, Payload>& payloads_;

@@ -37,9 +37,10 @@ struct Plant::Motion {
   }
 };
 
-Plant::Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls)
+Plant::Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls, bool ground)
     : vehicle_(vehicle),
-      contact_(vehicle, std::move(walls)),
+      empty_mass_(vehicle.mass),
+      contact_(vehicle, std::move(walls), ground),
       state_(start),
       speeds_(RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size()))) {
   state_.attitude.normalize();
@@ -87,6 +88,16 @@ void Plant::detach() {
   if (!payload_) throw std::logic_error("no payload is attached");
   payload_.reset();
   updateMassProperties();
+}
+
+void Plant::setBody(double mass, const Eigen::Matrix3d& inertia) {
+  vehicle_.mass = mass;
+  vehicle_.inertia = inertia;
+  updateMassProperties();
+}
+
+double Plant::payloadMass() const noexcept {
+  return (payload_ ? payload_->mass : 0.0) + (vehicle_.mass - empty_mass_);
 }
 
 Eigen::Vector3d Plant::linearMomentum() const {

@@ -17,7 +17,14 @@ Nanoseconds readPeriod(const ParameterReader& reader, const std::string& key) {
 State readStart(const ParameterReader& reader) {
   State start;
   start.position = reader.vector3("position", Range::any());
+  const Range tilt = Range::between(-89.0, 89.0);
+  const double roll = reader.number("roll_deg", tilt, 0.0) * kDegree;
+  const double pitch = reader.number("pitch_deg", tilt, 0.0) * kDegree;
   start.attitude = yawRotation(reader.number("yaw_deg", Range::between(-360.0, 360.0)) * kDegree);
+  if (roll != 0.0 || pitch != 0.0) {
+    start.attitude = start.attitude * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                     Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
+  }
   return start;
 }
 
@@ -58,6 +65,7 @@ void checkTimes(const ParameterReader& reader, const Scenario& scenario) {
   Nanoseconds last = 0;
   if (!scenario.set_points.empty()) last = scenario.set_points.back().time;
   if (!scenario.events.empty()) last = std::max(last, scenario.events.back().time);
+  if (!scenario.switches.empty()) last = std::max(last, scenario.switches.back().time);
   if (scenario.duration < last) {
     reader.refuse("duration", "is " + std::to_string(toSeconds(scenario.duration)) +
                                   " s; the mission lasts until " + std::to_string(toSeconds(last)) +
@@ -73,7 +81,9 @@ void checkTimes(const ParameterReader& reader, const Scenario& scenario) {
 Nanoseconds Scenario::lastPayloadChange() const {
   Nanoseconds last = 0;
   for (const PlantEvent& event : events) {
-    if (!std::holds_alternative<SetWind>(event.action)) last = event.time;
+    const bool weather = std::holds_alternative<SetWind>(event.action) ||
+                         std::holds_alternative<ApplyDisturbance>(event.action);
+    if (!weather) last = event.time;
   }
   return last;
 }
@@ -96,12 +106,14 @@ Scenario readScenario(const ParameterReader& reader) {
       scenario.walls.push_back(readBox(wall));
     }
   }
+  scenario.ground = reader.flag("ground", true);
   SetPoint start;
   start.position = scenario.start.position;
   start.yaw = rollPitchYaw(scenario.start.attitude).z();
   Mission mission = readMission(reader, payloads, start, readPeriod(reader, "set_point_rate"));
   scenario.set_points = std::move(mission.set_points);
   scenario.events = std::move(mission.events);
+  scenario.switches = std::move(mission.switches);
 
   scenario.metrics_from = fromSeconds(reader.child("metrics").number("from", Range::nonNegative()));
   if (reader.has("published")) {

@@ -1,6 +1,7 @@
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
@@ -84,23 +85,51 @@ void TimedPlant::detach() {
   attached_name_.clear();
 }
 
-void TimedPlant::apply(const PlantAction& action) {
-  if (const auto* pick_up = std::get_if<AttachPayload>(&action)) {
+void TimedPlant::apply(const PlantEvent& event) {
+  if (const auto* pick_up = std::get_if<AttachPayload>(&event.action)) {
     attach(*pick_up);
-  } else if (const auto* wind = std::get_if<SetWind>(&action)) {
+  } else if (const auto* wind = std::get_if<SetWind>(&event.action)) {
     plant_.setWind(wind->velocity);
+  } else if (const auto* body = std::get_if<SetBody>(&event.action)) {
+    plant_.setBody(body->mass, body->inertia);
+  } else if (const auto* disturbance = std::get_if<ApplyDisturbance>(&event.action)) {
+    disturbances_.push_back({event.time, *disturbance});
   } else {
     detach();
   }
+}
+
+ForceMoment TimedPlant::disturbance() const noexcept {
+  ForceMoment sum;
+  for (const ActiveDisturbance& active : disturbances_) {
+    const Nanoseconds age = now_ - active.begin;
+    if (age >= active.shape.duration) continue;
+    const double frequency = active.shape.angular_frequency;
+    const double share = frequency > 0.0 ? std::sin(frequency * toSeconds(age)) : 1.0;
+    sum.force += share * active.shape.amplitude.force;
+    sum.moment += share * active.shape.amplitude.moment;
+  }
+  return sum;
+}
+
+void TimedPlant::disturb() {
+  if (disturbances_.empty()) return;
+  const auto over = [this](const ActiveDisturbance& active) {
+    return now_ - active.begin >= active.shape.duration;
+  };
+  disturbances_.erase(std::remove_if(disturbances_.begin(), disturbances_.end(), over),
+                      disturbances_.end());
+  plant_.setDisturbance(disturbance());
 }
 
 void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
   const double dt = toSeconds(step_);
   while (now_ < until) {
     while (!events_.empty() && events_.front().time <= now_) {
-      apply(events_.front().action);
+      apply(events_.front());
       events_.erase(events_.begin());
     }
+    disturb();
     plant_.step(command, dt);
     for (Cargo& cargo : cargo_) cargo.fall(dt);
     now_ += step_;

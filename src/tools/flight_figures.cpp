@@ -17,6 +17,7 @@
 #include "gnuplot.h"
 #include "path_figure.h"
 #include "plotted_flight.h"
+#include "switching_figures.h"
 
 namespace aqc {
 namespace {
@@ -36,12 +37,6 @@ constexpr const char* kLimitStyle = "lc rgb '#202020' lw 1.6 dt (3,4)";
 constexpr std::array<const char*, 5> kNames = {"position", "position_error", "attitude_error",
                                                "adaptation", "rotors"};
 constexpr const char* kPathName = "path";
-
-std::string lineStyle(const std::string& colour, double width) {
-  char text[64];
-  std::snprintf(text, sizeof text, "lc rgb '%s' lw %g", colour.c_str(), width);
-  return text;
-}
 
 std::string print(const char* pattern, double value) {
   char text[64];
@@ -95,12 +90,18 @@ class FigureBuilder {
     return scenario_.walls.empty() ? "" : pathScript(flights_, scenario_);
   }
 
-  /// In the order of kNames; one that has nothing to show has no panels.
+  /// In the order of kNames, then those of switchingFigures() for the first flight that has
+  /// subsystems; one that has nothing to show has no panels.
   std::vector<Figure> figures() const {
     std::vector<Figure> all = {vectors("position", kPosition),
                                vectors("position error", kPositionError),
                                vectors("attitude error", kAttitudeError), adaptation(), rotors()};
     for (std::size_t i = 0; i < all.size(); ++i) all[i].name = kNames[i];
+    const auto switched = std::find_if(flights_.begin(), flights_.end(), hasSubsystems);
+    if (switched != flights_.end()) {
+      const std::vector<Figure> more = switchingFigures(*switched, frame(""));
+      all.insert(all.end(), more.begin(), more.end());
+    }
     return all;
   }
 
@@ -126,14 +127,6 @@ class FigureBuilder {
         figure.key.push_back({flight.title, lineStyle(flight.colour, kKeyWidth)});
       }
     }
-  }
-
-  static void setRange(Panel& panel, const Extent& range, double scale) {
-    if (range.empty()) return;
-    const double least = 0.1 * std::abs(range.high) + 1e-9;  // for a constant
-    const double margin = 0.05 * std::max(range.span(), least);
-    panel.low = (range.low - margin) * scale;
-    panel.high = (range.high + margin) * scale;
   }
 
   // One column of all flights that have it, beside a curve that all flights share.
@@ -187,6 +180,7 @@ class FigureBuilder {
     }
     std::vector<std::string> names;
     for (const PlottedFlight& flight : flights_) {
+      if (hasSubsystems(flight)) continue;  // its gains have figures of their own
       for (const std::string& name : flight.log->adaptive_names) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
       }
@@ -263,7 +257,8 @@ void checkPng(const fs::path& path) {
 std::vector<std::string> drawFigures(const std::string& folder, const std::vector<FlightLog>& logs,
                                      const Scenario& scenario, const Vehicle& vehicle,
                                      const std::function<void(double)>& progress) {
-  std::vector<std::string> names(kNames.begin(), kNames.end());
+  std::vector<std::string> names = switchingFigureNames();
+  names.insert(names.end(), kNames.begin(), kNames.end());
   names.push_back(kPathName);
   for (const std::string& name : names) {
     std::error_code ignored;  // nothing to remove

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -128,6 +129,18 @@ void addRotors(Columns& columns, const FlightLog& log) {
   }
 }
 
+// Only where there is one: most scenarios have none.
+void addDisturbance(Columns& columns, const FlightLog& log) {
+  const auto disturbed = [](const Sample& s) {
+    return !s.disturbance.force.isZero(0.0) || !s.disturbance.moment.isZero(0.0);
+  };
+  if (std::none_of(log.samples.begin(), log.samples.end(), disturbed)) return;
+  columns.addVector("disturbance_force_", kAxes, "N",
+                    [](const Sample& s) { return s.disturbance.force; });
+  columns.addVector("disturbance_moment_", kAxes, "N m",
+                    [](const Sample& s) { return s.disturbance.moment; });
+}
+
 void appendNumber(std::string& text, double value, int digits) {
   if (std::isnan(value)) return;
   char buffer[32];
@@ -160,6 +173,7 @@ nlohmann::json metricsJson(const FlightLog& log, const Scenario& scenario) {
       {"rms", rms},
       {"peak_altitude_error", number(metrics.peak_altitude_error)},
       {"settled_altitude_error", number(metrics.settled_altitude_error)},
+      {"final_lateral_error", number(metrics.final_lateral_error)},
       {"crashed", metrics.crash_time.has_value()},
       {"crash_time", number(metrics.crash_time)},
       {"grounded_from", number(metrics.grounded_from)},
@@ -183,6 +197,7 @@ std::vector<FlightColumn> flightColumns(const FlightLog& log) {
   }
   addRotors(columns, log);
   columns.add("payload_mass", "kg", [](const Sample& s) { return s.payload_mass; });
+  addDisturbance(columns, log);
   columns.add("touching", "", [](const Sample& s) { return s.touching; });
   columns.add("flying", "", [](const Sample& s) { return s.flying; });
   return columns.take();

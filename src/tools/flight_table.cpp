@@ -91,10 +91,15 @@ std::string outcome(const FlightLog& log, const FlightMetrics& metrics, TableSty
     const std::string reason = log.crash_reason.empty() ? "" : ": " + log.crash_reason;
     return paint("crashed at " + seconds(*metrics.crash_time) + reason, kRed, style);
   }
+  if (!metrics.rms.position.allFinite() || !metrics.rms.attitude.allFinite()) {
+    return paint("diverged", kRed, style);
+  }
   if (metrics.grounded_from) {
     return paint("on the ground from " + seconds(*metrics.grounded_from), kYellow, style);
   }
-  return "flew to the end";
+  constexpr double kAside = 1.0;  // [m], further than any law that controls x and y should end
+  if (!(metrics.final_lateral_error > kAside)) return "flew to the end";
+  return paint(format("ended %.1f m aside", metrics.final_lateral_error), kYellow, style);
 }
 
 Row flownRow(const FlightLog& log, const FlightMetrics& metrics) {
@@ -125,7 +130,8 @@ std::array<Row, 2> publishedRows(const RmsErrors& flown, const RmsErrors& publis
   return rows;
 }
 
-std::string heading(const Scenario& scenario, const Vehicle& vehicle, TableStyle style) {
+std::string heading(const std::vector<FlightLog>& logs, const Scenario& scenario,
+                    const Vehicle& vehicle, TableStyle style) {
   char mass[32];
   std::snprintf(mass, sizeof mass, "%g kg", vehicle.mass);
   std::string text = paint(scenario.title, kBold, style) + "\n";
@@ -136,7 +142,11 @@ std::string heading(const Scenario& scenario, const Vehicle& vehicle, TableStyle
   text += "Altitude error: peak " +
           (change > 0 ? "after the last payload change at " + seconds(toSeconds(change))
                       : std::string("of the flight")) +
-          "; settled: mean of the last 5 s.\n\n";
+          "; settled: mean of the last 5 s.\n";
+  for (const FlightLog& log : logs) {
+    if (!log.dwell_time.empty()) text += log.controller + ": " + log.dwell_time + ".\n";
+  }
+  text += "\n";
   Row units{"", {"x", "y", "z", "roll", "pitch", "yaw", "peak", "settled", "speed"}, "outcome"};
   text += rightTrimmed(pad("", kLabelWidth) + centred("RMS position [m]", 0, 2) +
                        centred("RMS attitude [deg]", 3, 5) + centred("altitude [m]", 6, 7)) +
@@ -167,7 +177,7 @@ TableStyle styleOfStdout() {
 
 std::string flightTable(const std::vector<FlightLog>& logs, const Scenario& scenario,
                         const Vehicle& vehicle, TableStyle style) {
-  std::string text = heading(scenario, vehicle, style);
+  std::string text = heading(logs, scenario, vehicle, style);
   bool ended_early = false;
   for (const FlightLog& log : logs) {
     const FlightMetrics metrics = measure(log, scenario);

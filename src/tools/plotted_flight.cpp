@@ -85,6 +85,20 @@ std::string paletteColour(std::size_t index) {
   return kPalette[index % kPalette.size()];
 }
 
+std::string lineStyle(const std::string& colour, double width) {
+  char text[64];
+  std::snprintf(text, sizeof text, "lc rgb '%s' lw %g", colour.c_str(), width);
+  return text;
+}
+
+void setRange(Panel& panel, const Extent& range, double scale) {
+  if (range.empty()) return;
+  const double least = 0.1 * std::abs(range.high) + 1e-9;  // for a constant
+  const double margin = 0.05 * std::max(range.span(), least);
+  panel.low = (range.low - margin) * scale;
+  panel.high = (range.high + margin) * scale;
+}
+
 Extent readableRange(const std::vector<PlottedFlight>& flights, const std::string& column,
                      const Extent& reference) {
   constexpr double kWild = 5.0;  // times the span of the calmest flight

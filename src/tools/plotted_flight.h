@@ -42,6 +42,12 @@ PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario, std:
 /// Colour `index` of a palette that most colour-blind people can tell apart; repeats.
 std::string paletteColour(std::size_t index);
 
+/// How gnuplot draws a line.
+std::string lineStyle(const std::string& colour, double width);
+
+/// The panel's vertical axis: `range` times `scale` with a margin. An empty range changes nothing.
+void setRange(Panel& panel, const Extent& range, double scale);
+
 /// The range that shows `reference` and all flights that did not crash. Those that did may widen it
 /// only by half to either side, and so may those many times wilder than the calmest one: a flight
 /// that diverges must not squeeze the rest into a line.

@@ -15,8 +15,9 @@ Scenario scenario() {
   Scenario scenario;
   scenario.duration = fromSeconds(20.0);
   scenario.metrics_from = fromSeconds(10.0);
-  scenario.events.push_back({fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}});
-  scenario.events.push_back({fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}});
+  const PlantEvent attach{fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}};
+  const PlantEvent wind{fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}};
+  scenario.events = {attach, wind};
   return scenario;
 }
 

@@ -135,7 +135,7 @@ class Flights(FlyTest):
         self.assertEqual([flight["controller"] for flight in flights[0]], ["asmc", "geometric"])
         flight = flights[0][0]
         self.assertEqual(set(flight), {"controller", "rms", "peak_altitude_error", "crash_time",
-                                       "settled_altitude_error", "crashed", "grounded_from",
+                                       "settled_altitude_error", "final_lateral_error", "crashed", "grounded_from",
                                        "refusals", "duration"})
         self.assertEqual(set(flight["rms"]), {"x", "y", "z", "roll", "pitch", "yaw"})
         self.assertEqual((flight["crashed"], flight["crash_time"], flight["duration"]),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,67 @@ TEST(Mission, EventsMayHappenDuringALeg) {
   EXPECT_EQ(mission.events[0].time, 2 * kSecond);
   EXPECT_EQ(std::get<AttachPayload>(mission.events[0].action).payload.mass, 0.5);
   EXPECT_EQ(std::get<SetWind>(mission.events[1].action).velocity, Eigen::Vector3d(1, -2, 0));
+}
+
+TEST(Mission, SinesCarryTheirDerivativesAndEndAtRest) {
+  const Mission mission = read(R"(
+  - sine: {at: 1.0, until: 3.0, position: [0, 0, 2], amplitude: [0, 0, 0.5], angular_frequency: 2}
+  - hold: {for: 1.0}
+  - step: {position: [1, 1, 1]}
+)");
+  ASSERT_EQ(mission.set_points.size(), 22u) << "one every tenth of a second, its end and the step";
+  const TimedSetPoint& sample = mission.set_points[5];
+  EXPECT_EQ(sample.time, kSecond + kSecond / 2);
+  EXPECT_NEAR(sample.set_point.position.z(), 2.0 + 0.5 * std::sin(1.0), 1e-15);
+  EXPECT_NEAR(sample.set_point.velocity.z(), std::cos(1.0), 1e-15);
+  EXPECT_NEAR(sample.set_point.acceleration.z(), -2.0 * std::sin(1.0), 1e-15);
+  EXPECT_EQ(sample.set_point.yaw, 0.5) << "stays as it was";
+  const SetPoint& end = mission.set_points[20].set_point;
+  EXPECT_EQ(mission.set_points[20].time, 3 * kSecond);
+  EXPECT_NEAR(end.position.z(), 2.0 + 0.5 * std::sin(4.0), 1e-15);
+  EXPECT_EQ(end.velocity.norm() + end.acceleration.norm(), 0.0);
+  EXPECT_EQ(mission.set_points.back().time, 4 * kSecond);
+}
+
+TEST(Mission, SwitchesBodiesAndDisturbances) {
+  const Mission mission = read(R"(
+  - switch: {at: 1.0, subsystem: 2}
+  - body: {at: 1.0, mass: 1.7, inertia: [0.032, 0.030, 2.2e-4]}
+  - disturbance: {at: 2.0, until: 4.5, force: [0, 0, -0.05], angular_frequency: 0.5}
+  - disturbance: {at: 2.0, until: 3.0, moment: [0, 0, 5e-4]}
+)");
+  ASSERT_EQ(mission.switches.size(), 1u);
+  EXPECT_EQ(mission.switches[0].time, kSecond);
+  EXPECT_EQ(mission.switches[0].subsystem, 2);
+  ASSERT_EQ(mission.events.size(), 3u);
+  const auto& body = std::get<SetBody>(mission.events[0].action);
+  EXPECT_EQ(body.mass, 1.7);
+  EXPECT_EQ(body.inertia(0, 0), 0.032) << "belongs to no rigid body, and is taken all the same";
+  const auto& sine = std::get<ApplyDisturbance>(mission.events[1].action);
+  EXPECT_EQ(mission.events[1].time, 2 * kSecond);
+  EXPECT_EQ(sine.duration, 2 * kSecond + kSecond / 2);
+  EXPECT_EQ(sine.amplitude.force.z(), -0.05);
+  EXPECT_EQ(sine.angular_frequency, 0.5);
+  const auto& pulse = std::get<ApplyDisturbance>(mission.events[2].action);
+  EXPECT_EQ(pulse.amplitude.moment.z(), 5e-4);
+  EXPECT_EQ(pulse.angular_frequency, 0.0);
+}
+
+TEST(Mission, RefusesSenselessSwitchesBodiesAndDisturbances) {
+  expectRefused("  - switch: {at: 1, subsystem: 0}\n",
+                {"'scenario/mission[0]/switch/subsystem'", "'0'", ">= 1 and <= 8"});
+  expectRefused("  - switch: {at: 1, subsystem: 9}\n",
+                {"'scenario/mission[0]/switch/subsystem'", "'9'", ">= 1 and <= 8"});
+  expectRefused("  - body: {at: 1, mass: 0, inertia: [1, 1, 1]}\n",
+                {"'scenario/mission[0]/body/mass'", "'0'", "> 0"});
+  expectRefused("  - body: {at: 1, mass: 1, inertia: [1, -1, 1]}\n",
+                {"'scenario/mission[0]/body/inertia", "-1"});
+  expectRefused("  - disturbance: {at: 1, until: 1, force: [0, 0, 1]}\n",
+                {"'scenario/mission[0]/disturbance/until'", "1 s", "after"});
+  expectRefused(
+      "  - sine: {at: 1, until: 2, position: [0, 0, 1], amplitude: [0, 0, 1], "
+      "angular_frequency: -1}\n",
+      {"'scenario/mission[0]/sine/angular_frequency'", "'-1'", ">= 0"});
 }
 
 TEST(Mission, RefusesTimesThatGoBack) {

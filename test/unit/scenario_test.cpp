@@ -51,6 +51,20 @@ void expectRefused(const std::string& from, const std::string& to,
   expectRefusal([&] { read(replaced(kGood, from, to)); }, parts);
 }
 
+TEST(Scenario, MayStartTiltedWithoutGroundAndSwitch) {
+  const std::string tilted =
+      replaced(kGood, "yaw_deg: 90.0}", "yaw_deg: 90.0, roll_deg: 10, pitch_deg: -20}");
+  const std::string yaml =
+      replaced(tilted, "- attach:", "- switch: {at: 6.0, subsystem: 3}\n  - attach:");
+  const Scenario scenario = read(yaml + "ground: false\n");
+  const Eigen::Vector3d angles = rollPitchYaw(scenario.start.attitude) * 180.0 / M_PI;
+  EXPECT_LT((angles - Eigen::Vector3d(10.0, -20.0, 90.0)).norm(), 1e-9);
+  EXPECT_FALSE(scenario.ground);
+  ASSERT_EQ(scenario.switches.size(), 1u);
+  EXPECT_EQ(scenario.switches[0].subsystem, 3);
+  EXPECT_TRUE(read(kGood).ground);
+}
+
 TEST(Scenario, ReadsEveryValue) {
   const Scenario scenario = read(kGood);
   EXPECT_EQ(scenario.name, "short");

@@ -224,6 +224,21 @@ TEST(Switched, AccelerationComesFromTheAccelerometer) {
   }
 }
 
+TEST(Switched, ForgetsAStaleSample) {
+  const auto silent = makeLaw(plainTree());
+  const auto law = makeLaw(plainTree());
+  law->senseSpecificForce(kClimbing);
+  law->forgetSpecificForce();
+  State state;
+  state.velocity.z() = 0.1;
+  for (int i = 0; i < 5; ++i) {
+    state.velocity.z() += 0.01;
+    EXPECT_EQ(law->update(state, {}, kStep).thrust, silent->update(state, {}, kStep).thrust);
+  }
+  law->senseSpecificForce(kClimbing);
+  EXPECT_NE(law->update(state, {}, kStep).thrust, silent->update(state, {}, kStep).thrust);
+}
+
 TEST(Switched, WithoutOneItComesFromTheVelocityBehindTheLowPass) {
   const auto law = makeLaw(plainTree());
   State state;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +31,47 @@ TEST(TimedPlant, CountsWholeSteps) {
   EXPECT_NEAR(plant.plant().state().velocity.z(), -kGravity * 0.02, 1e-12);
   plant.advance(off(), 25 * kMillisecond);
   EXPECT_EQ(plant.now(), 25 * kMillisecond) << "nothing to do";
+}
+
+TEST(TimedPlant, DisturbancesAddUpForTheirTime) {
+  TimedPlant plant = plantAt(100.0);
+  const ForceMoment push{{2.0, 0.0, 0.0}, Eigen::Vector3d::Zero()};
+  plant.schedule({10 * kMillisecond, ApplyDisturbance{20 * kMillisecond, push}});
+  plant.schedule({20 * kMillisecond, ApplyDisturbance{5 * kMillisecond, push, 100.0}});
+  plant.advance(off(), 10 * kMillisecond);
+  EXPECT_EQ(plant.plant().state().velocity.x(), 0.0);
+  plant.advance(off(), 15 * kMillisecond);
+  EXPECT_NEAR(plant.plant().state().velocity.x(), 0.005, 1e-12) << "1 m/s^2 for 5 ms";
+  plant.advance(off(), 23 * kMillisecond);
+  EXPECT_NEAR(plant.disturbance().force.x(), 2.0 + 2.0 * std::sin(0.3), 1e-12);
+  plant.advance(off(), 25 * kMillisecond);
+  EXPECT_EQ(plant.disturbance().force.x(), 2.0);
+  plant.advance(off(), 40 * kMillisecond);
+  EXPECT_EQ(plant.disturbance().force.x(), 0.0);
+  const double velocity = plant.plant().state().velocity.x();
+  plant.advance(off(), 60 * kMillisecond);
+  EXPECT_EQ(plant.plant().state().velocity.x(), velocity) << "nothing lingers";
+}
+
+TEST(TimedPlant, ABodyChangesWithoutAJerk) {
+  TimedPlant plant = plantAt(100.0);
+  const Eigen::Vector3d inertia(0.032, 0.030, 2.2e-4);  // as printed; of no rigid body
+  plant.schedule({10 * kMillisecond, SetBody{2.5, inertia.asDiagonal()}});
+  plant.schedule(
+      {10 * kMillisecond, ApplyDisturbance{kMillisecond, {{0.0, 5.0, 0.0}, {0.0, 0.0, 2.2e-3}}}});
+  plant.advance(off(), 11 * kMillisecond);
+  EXPECT_NEAR(plant.plant().state().velocity.z(), -kGravity * 0.011, 1e-12);
+  EXPECT_NEAR(plant.plant().state().velocity.y(), 2.0 * 0.001, 1e-12);
+  EXPECT_NEAR(plant.plant().state().body_rate.z(), 10.0 * 0.001, 1e-12);
+  EXPECT_EQ(plant.plant().mass(), 2.5);
+  EXPECT_EQ(plant.plant().payloadMass(), 0.5);
+}
+
+TEST(TimedPlant, WithoutGroundNothingHoldsTheVehicle) {
+  TimedPlant plant(Plant(test::pelican(), State(), {}, false), {}, kMillisecond);
+  plant.advance(off(), 1000 * kMillisecond);
+  EXPECT_NEAR(plant.plant().state().position.z(), -0.5 * kGravity, 1e-9);
+  EXPECT_FALSE(plant.crashTime());
 }
 
 TEST(TimedPlant, NeedsAPositiveStep) {

@@ -152,7 +152,7 @@ TEST(FlightJson, FollowsTheSchema) {
   EXPECT_EQ(json.at("scenario"), "short");
   ASSERT_EQ(json.at("flights").size(), 2u);
   const nlohmann::json& good = json["flights"][0];
-  EXPECT_EQ(good.size(), 10u);
+  EXPECT_EQ(good.size(), 11u);
   EXPECT_EQ(good.at("controller"), "good");
   EXPECT_NEAR(good.at("rms").at("x").get<double>(), 0.1, 1e-12);
   EXPECT_NEAR(good.at("rms").at("z").get<double>(), 0.3, 1e-12);

@@ -106,8 +106,7 @@ TEST(Vehicle, RefusesLayoutsThatCannotFly) {
 }
 
 TEST(Vehicle, RefusesEveryRotorConstantOutOfRange) {
-  for (const char* key : {"arm_length", "force_constant", "moment_constant", "max_speed",
-                          "time_constant_up", "time_constant_down"}) {
+  for (const char* key : {"arm_length", "force_constant", "moment_constant", "max_speed"}) {
     for (const char* value : {"0", "-1", ".nan", "text"}) {
       const std::string line = std::string(key) + ": ";
       const std::size_t start = kGood.find(line);
@@ -117,6 +116,10 @@ TEST(Vehicle, RefusesEveryRotorConstantOutOfRange) {
                     {"'vehicle/rotors/" + std::string(key) + "'", value, "> 0"});
     }
   }
+  expectRefused("time_constant_up: 0.0125", "time_constant_up: -0.1",
+                {"'vehicle/rotors/time_constant_up'", "'-0.1'", ">= 0"});
+  expectRefused("time_constant_down: 0.025", "time_constant_down: 11",
+                {"'vehicle/rotors/time_constant_down'", "'11'", "<= 10"});
   for (const char* key : {"drag_coefficient", "rolling_moment_coefficient"}) {
     expectRefused(std::string(key) + ": 0.0", std::string(key) + ": -0.1",
                   {"'vehicle/rotors/" + std::string(key) + "'", "'-0.1'", ">= 0"});

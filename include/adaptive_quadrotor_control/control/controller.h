@@ -50,10 +50,12 @@ class Controller {
 
   /// What an accelerometer at the origin of B read last, in B [m/s^2]: the force but gravity on a
   /// unit of mass. Laws that use none ignore it; those that do hold it until the next one comes and
-  /// do without until the first.
+  /// do without until the first. Whoever feeds it watches its age: see forgetSpecificForce().
   virtual void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
     static_cast<void>(specific_force);
   }
+  /// The accelerometer has fallen silent: the sample that is held must not be used any more.
+  virtual void forgetSpecificForce() noexcept {}
   /// Whether the law is meant to be fed by senseSpecificForce().
   virtual bool needsImu() const noexcept { return false; }
 

@@ -21,8 +21,11 @@ class FlightController {
   void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
     law_->senseSpecificForce(specific_force);
   }
+  /// The accelerometer has fallen silent.
+  void forgetSpecificForce() noexcept { law_->forgetSpecificForce(); }
   /// The switching signal of a law with several subsystems; null for others.
   SubsystemSwitch* subsystems() noexcept { return law_->subsystems(); }
+  const SubsystemSwitch* subsystems() const noexcept { return law_->subsystems(); }
 
   /// Of the last step().
   const Allocation& allocation() const noexcept { return allocation_; }

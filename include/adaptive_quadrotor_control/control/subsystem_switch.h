@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "adaptive_quadrotor_control/control/dwell_time.h"
 #include "adaptive_quadrotor_control/model/time.h"
 
@@ -63,9 +65,13 @@ class SubsystemSwitch {
   void restart() noexcept;
 
   const SwitchCounts& counts() const noexcept { return counts_; }
+  /// Requests that were refused, or done against the dwell time.
+  long objections() const noexcept { return counts_.too_early + counts_.unknown; }
   Policy policy() const noexcept { return policy_; }
   /// mu, varrho, kappa and theta* of the gains.
   const DwellTime& bound() const noexcept { return bound_; }
+  /// What is asked for and what is enforced, on one line.
+  std::string text() const;
   /// Enforced dwell time and N_0.
   const DwellTimeMonitor& monitor() const noexcept { return monitor_; }
 

@@ -24,8 +24,9 @@ constexpr int kMaxSubsystems = 8;
 ///
 /// The acceleration in the law is that of the samples before the command: linear from
 /// senseSpecificForce() as R f - g e_3, angular the filtered derivative of the body rate turned
-/// into Euler axes, without the product of rates that is of second order. As long as no specific
-/// force has come, linear is the filtered derivative of the velocity.
+/// into Euler axes, without the product of rates that is of second order. Before the
+/// first specific force and after forgetSpecificForce(), linear is the filtered derivative of the
+/// velocity.
 class Switched final : public Controller {
  public:
   static constexpr double kSteepest = 85.0 * M_PI / 180.0;  ///< pitch [rad]
@@ -39,6 +40,7 @@ class Switched final : public Controller {
   /// switches stay: they belong to the payload, not to the law. For those: subsystems()->restart().
   void reset() noexcept override;
   void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept override;
+  void forgetSpecificForce() noexcept override { specific_force_.reset(); }
   bool needsImu() const noexcept override { return true; }
   SubsystemSwitch* subsystems() noexcept override { return &switch_; }
 

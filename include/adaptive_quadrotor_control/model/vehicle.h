@@ -32,12 +32,12 @@ struct Vehicle {
   double force_constant = 0.0;                        ///< k_f [N s^2/rad^2], > 0
   double moment_constant = 0.0;                       ///< k_m [m], > 0: drag moment / thrust
   double max_rotor_speed = 0.0;                       ///< omega_max [rad/s], > 0
-  double time_constant_up = 0.0;                      ///< of a rotor that speeds up [s], > 0
-  double time_constant_down = 0.0;                    ///< of a rotor that slows down [s], > 0
-  double drag_coefficient = 0.0;                      ///< c_d [N s^2/(rad m)], >= 0
-  double rolling_moment_coefficient = 0.0;            ///< c_r [N s^2/rad], >= 0
-  double gear_height = 0.0;                           ///< from the ground to the origin of B [m]
-  double gear_radius = 0.0;                           ///< of the circle of four feet [m], > 0
+  double time_constant_up = 0.0;            ///< of a rotor that speeds up [s], >= 0; 0: at once
+  double time_constant_down = 0.0;          ///< of a rotor that slows down [s], >= 0
+  double drag_coefficient = 0.0;            ///< c_d [N s^2/(rad m)], >= 0
+  double rolling_moment_coefficient = 0.0;  ///< c_r [N s^2/rad], >= 0
+  double gear_height = 0.0;                 ///< from the ground to the origin of B [m]
+  double gear_radius = 0.0;                 ///< of the circle of four feet [m], > 0
 
   /// Largest thrust all rotors give together [N].
   double maxThrust() const;

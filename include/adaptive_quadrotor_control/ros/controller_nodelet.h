@@ -12,20 +12,24 @@
 #include "adaptive_quadrotor_control/control/flight_controller.h"
 #include "adaptive_quadrotor_control/model/time.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
+#include "adaptive_quadrotor_control/ros/imu_input.h"
+#include "adaptive_quadrotor_control/ros/switch_input.h"
 
 namespace aqc {
 
 /// The control law in ROS: a thin shell around FlightController.
 ///
-/// In: `odometry`, `command/trajectory`, `command/pose`. Out: `command/motor_speed`, `~state`.
+/// In: `odometry`, `command/trajectory`, `command/pose`; `imu` and `active_subsystem` for laws that
+/// need them. Out: `command/motor_speed`, `~state`.
 /// Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller), `~rate` [Hz]
 /// (default: `scenario/control_rate` where a scenario is loaded, else 250), `~trigger`. All
 /// callbacks come from one queue in one thread, so nothing is locked.
 ///
 /// `~trigger: timer` runs the law at `~rate` by ROS time on the latest odometry; `odometry` runs
 /// it when odometry that is due arrives and answers every odometry, which a lock-stepped
-/// simulation needs. Before the first good odometry and the first set point only zero speeds are
-/// published.
+/// simulation needs; a law that needs the IMU then waits for its sample of the same stamp, unless
+/// it has fallen silent or odometry comes again first. Before the first good odometry and the first
+/// set point only zero speeds are published.
 class ControllerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override;
@@ -38,6 +42,7 @@ class ControllerNodelet : public nodelet::Nodelet {
   void onTimer(const ros::TimerEvent& event);
 
   void accept(std::vector<TimedSetPoint> set_points, Nanoseconds now, const ros::Time& stamp);
+  void answer();
   void step(Nanoseconds now, double dt);
   void publishMotors();
   void publishState();
@@ -52,7 +57,8 @@ class ControllerNodelet : public nodelet::Nodelet {
   std::optional<State> state_;     // of the last good odometry
   Nanoseconds odometry_time_ = 0;  // its stamp
   std::optional<Nanoseconds> last_step_;
-  bool flying_ = false;  // a set point was active in the last step
+  bool waiting_ = false;  // for the IMU sample that goes with the odometry
+  bool flying_ = false;   // a set point was active in the last step
   SetPoint set_point_;
   ros::Time trajectory_stamp_;
   std::uint32_t dropped_odometry_ = 0;
@@ -64,6 +70,8 @@ class ControllerNodelet : public nodelet::Nodelet {
   ros::Publisher motor_publisher_;
   ros::Publisher state_publisher_;
   ros::Timer timer_;
+  std::unique_ptr<ImuInput> imu_;        // null: the law needs none
+  std::unique_ptr<SwitchInput> switch_;  // null: the law has no subsystems
 };
 
 }  // namespace aqc

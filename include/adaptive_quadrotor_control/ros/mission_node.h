@@ -19,8 +19,8 @@ namespace aqc {
 /// flight.
 ///
 /// Everything is sent before the plant is resumed and carries the time at which it acts: the set
-/// points as one `command/trajectory`, payload and wind events as service calls. Nothing depends
-/// on when this process happens to be scheduled.
+/// points as one `command/trajectory`, switches of subsystems on `active_subsystem`, what happens
+/// to the plant as service calls. Nothing depends on when this process happens to be scheduled.
 class MissionNode {
  public:
   /// Throws ParameterError.
@@ -38,7 +38,10 @@ class MissionNode {
   void onStatus(const msgs::PlantStatus::ConstPtr& message);
   void waitFor(const std::string& what, const std::function<bool()>& condition) const;
   void sendSetPoints();
+  void sendSwitches();
   void sendEvents();
+  void send(const PlantEvent& event);
+  void noteRefusals();
   void resume();
   FlightLog takeLog(double wall_seconds);
   template <class Service>
@@ -48,6 +51,7 @@ class MissionNode {
   Vehicle vehicle_;
   Scenario scenario_;
   ros::Publisher trajectory_publisher_;
+  ros::Publisher switch_publisher_;
   ros::Subscriber state_subscriber_;
   ros::Subscriber status_subscriber_;
 
@@ -57,6 +61,8 @@ class MissionNode {
   bool collecting_ = false;
   Nanoseconds latest_ = 0;  // scenario time of the latest state
   std::vector<FlightSample> samples_;
+  std::vector<TimedPlant::Refusal> refusals_;
+  std::uint32_t known_refusals_ = 0;
   std::map<Nanoseconds, msgs::PlantStatus::ConstPtr> truth_;  // by scenario time
 };
 

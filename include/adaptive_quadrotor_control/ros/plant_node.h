@@ -7,8 +7,10 @@
 #include <memory>
 
 #include "adaptive_quadrotor_control/Actuators.h"
+#include "adaptive_quadrotor_control/ApplyDisturbance.h"
 #include "adaptive_quadrotor_control/AttachPayload.h"
 #include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/SetBody.h"
 #include "adaptive_quadrotor_control/SetWind.h"
 #include "adaptive_quadrotor_control/ros/conversions.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
@@ -19,8 +21,9 @@ namespace aqc {
 /// The simulated vehicle in ROS: a shell around TimedPlant.
 ///
 /// In: `command/motor_speed`. Out: `odometry`, `imu`, `~status`, tf world -> base_link and, with
-/// /use_sim_time, `/clock`. Services: `~attach_payload`, `~detach_payload`, `~set_wind`, `~reset`,
-/// `~resume`. Parameters: `vehicle`, `scenario` (start, rates), `~lock_step`, `~real_time_factor`,
+/// /use_sim_time, `/clock`. Services: `~attach_payload`, `~detach_payload`, `~set_wind`,
+/// `~set_body`, `~apply_disturbance`, `~reset`, `~resume`. Parameters: `vehicle`, `scenario`
+/// (start, rates), `~lock_step`, `~real_time_factor`,
 /// `~start_paused`.
 ///
 /// In lock step the clock stands still until the command that answers the last odometry (the same
@@ -38,6 +41,9 @@ class PlantNode {
   bool onAttach(msgs::AttachPayload::Request& request, msgs::AttachPayload::Response& response);
   bool onDetach(msgs::DetachPayload::Request& request, msgs::DetachPayload::Response& response);
   bool onWind(msgs::SetWind::Request& request, msgs::SetWind::Response& response);
+  bool onBody(msgs::SetBody::Request& request, msgs::SetBody::Response& response);
+  bool onDisturbance(msgs::ApplyDisturbance::Request& request,
+                     msgs::ApplyDisturbance::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onResume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 

@@ -21,12 +21,18 @@ class ClosedLoop {
 
   /// What the last advance() started from and decided.
   FlightSample sample() const;
+  /// Switches refused, or done against the dwell time, so far.
+  const std::vector<TimedPlant::Refusal>& objections() const noexcept { return objections_; }
   const TimedPlant& plant() const noexcept { return plant_; }
   const FlightController& controller() const noexcept { return controller_; }
 
  private:
+  void switchSubsystem();
+
   TimedPlant plant_;
   FlightController controller_;
+  SwitchSchedule switches_;
+  std::vector<TimedPlant::Refusal> objections_;
   SetPointSchedule schedule_;
   Nanoseconds period_;
   Nanoseconds duration_;

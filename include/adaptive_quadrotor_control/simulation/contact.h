@@ -20,12 +20,13 @@ struct ForceMoment {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< in B [N m]
 };
 
-/// Contact of a vehicle and its payload with the flat ground z = 0 and with walls, at points: four
+/// Contact of a vehicle and its payload with the flat ground z = 0 (unless there is none, as in a
+/// study of free flight that starts at z = 0) and with walls, at points: four
 /// feet, the hub of every rotor and the payload's four lower corners. Each point pushes back as a
 /// damped spring along the normal (never pulls) and by friction, viscous up to the Coulomb limit.
 class Contact {
  public:
-  Contact(const Vehicle& vehicle, std::vector<Box> walls);
+  Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground = true);
 
   void setPayload(const Payload* payload);
 
@@ -62,6 +63,7 @@ class Contact {
 
   std::array<Eigen::Vector3d, kFeet + kMaxRotors + kCorners> points_;  // in B; feet, hubs, corners
   std::vector<Box> walls_;
+  bool ground_;
   int rotor_count_;
   int point_count_;
   double reach_ = 0.0;  // all points lie this close to the origin of B [m]

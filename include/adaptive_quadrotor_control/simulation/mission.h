@@ -4,16 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/control/switch_schedule.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 namespace aqc {
 
-/// A mission list, worked out: what to fly and what happens to the plant, both by time.
+/// A mission list, worked out: what to fly, what happens to the plant, and when a law with several
+/// subsystems changes between them; each by time.
 struct Mission {
   std::vector<TimedSetPoint> set_points;
   std::vector<PlantEvent> events;
+  std::vector<SwitchOrder> switches;
 };
 
 /// Reads the list `mission` of a scenario, whose entries are maps of one name each:
@@ -24,17 +27,23 @@ struct Mission {
 ///     path:   {at, limits: {speed, acceleration, tilt_deg, thrust_to_weight}, through: [...]}
 ///             the same as fast as the limits allow, its waypoints without times; tilt_deg and
 ///             thrust_to_weight are 30 and 1.5 when not given
+///     sine:   {at, until, position: [x, y, z], amplitude: [x, y, z], angular_frequency, yaw_deg}
+///             position + amplitude sin(angular_frequency (t - at)), at rest where it ends
 ///     hold:   {for}                                   nothing new for so many seconds
 ///     attach: {at, payload}                           a name of the scenario's `payloads`
 ///     detach: {at}
 ///     wind:   {at, velocity: [x, y, z]}
+///     body:   {at, mass, inertia: [xx, yy, zz]}       the vehicle itself becomes another one
+///     disturbance: {at, until, force: [x, y, z], moment: [x, y, z], angular_frequency}
+///             in W [N] and in B [N m]; constant, or with a frequency [rad/s] a sine from 0
+///     switch: {at, subsystem}                         laws without subsystems ignore it
 ///
-/// `at` is a time in seconds; without it the entry begins when the last leg (step, path or hold)
-/// ends. `yaw_deg` stays as it was when not given. Entries stand in the order of their times, and
-/// a leg begins no earlier than the last one ends.
+/// `at` is a time in seconds; without it the entry begins when the last leg (step, path, sine or
+/// hold) ends. `yaw_deg` stays as it was when not given. Entries stand in the order of their times,
+/// and a leg begins no earlier than the last one ends.
 ///
-/// A path becomes set points with velocity and acceleration, one every `set_point_period`.
-/// Throws ParameterError.
+/// A path or a sine becomes set points with velocity and acceleration, one every
+/// `set_point_period`. Throws ParameterError.
 Mission readMission(const ParameterReader& scenario, const std::map<std::string, Payload>& payloads,
                     const SetPoint& start, Nanoseconds set_point_period);
 

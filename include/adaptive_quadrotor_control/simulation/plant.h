@@ -22,7 +22,9 @@ namespace aqc {
 /// Deterministic and free of clocks; step() allocates nothing.
 class Plant {
  public:
-  Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls = {});
+  /// Without `ground` nothing holds the vehicle up at z = 0.
+  Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls = {},
+        bool ground = true);
 
   /// Advances by `dt` seconds (> 0, about 1e-3) under commanded rotor speeds [rad/s], held over
   /// the step. A command entry that is not finite counts as 0, others are clamped. After a crash
@@ -45,6 +47,11 @@ class Plant {
   /// Lets go of the payload; the vehicle's own motion goes on. Throws std::logic_error without one.
   void detach();
   const std::optional<Payload>& payload() const noexcept { return payload_; }
+  /// Mass [kg] and inertia (about its centre of mass, in B [kg m^2]) of the vehicle itself become
+  /// others at once; its motion goes on. For models that describe a payload by such a change.
+  void setBody(double mass, const Eigen::Matrix3d& inertia);
+  /// What the vehicle carries beyond its own mass at the start: payload and setBody() [kg].
+  double payloadMass() const noexcept;
 
   /// Velocity of the air in W [m/s].
   void setWind(const Eigen::Vector3d& wind) noexcept { wind_ = wind; }
@@ -84,6 +91,7 @@ class Plant {
   Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
 
   Vehicle vehicle_;
+  double empty_mass_;  // of the vehicle at the start
   std::optional<Payload> payload_;
   Contact contact_;
   double mass_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/control/switch_schedule.h"
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
@@ -30,12 +31,14 @@ struct Scenario {
   State start;
   std::vector<TimedSetPoint> set_points;  ///< by time
   std::vector<PlantEvent> events;         ///< by time
+  std::vector<SwitchOrder> switches;      ///< by time; for laws with several subsystems
   std::vector<Cargo> cargo;               ///< payloads that lie about at the start
   std::vector<Box> walls;
+  bool ground = true;                          ///< at z = 0; false: free flight everywhere
   Nanoseconds metrics_from = 0;                ///< RMS errors count from here to the end
   std::map<std::string, RmsErrors> published;  ///< by controller
 
-  /// When the payload last changed, or 0.
+  /// When the payload, or the body that stands for one, last changed, or 0.
   Nanoseconds lastPayloadChange() const;
 };
 

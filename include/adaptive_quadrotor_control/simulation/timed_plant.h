@@ -20,8 +20,19 @@ struct DetachPayload {};
 struct SetWind {
   Eigen::Vector3d velocity;  ///< of the air in W [m/s]
 };
+/// Mass and inertia of the vehicle itself become others.
+struct SetBody {
+  double mass;              ///< [kg]
+  Eigen::Matrix3d inertia;  ///< about its centre of mass, in B [kg m^2]
+};
+/// A force and a moment that act for a while: constant, or a sine that begins with 0.
+struct ApplyDisturbance {
+  Nanoseconds duration = 0;
+  ForceMoment amplitude = {};      ///< at the centre of mass, force in W, moment in B
+  double angular_frequency = 0.0;  ///< of the sine [rad/s]; 0: constant
+};
 /// Something that happens to the plant.
-using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind>;
+using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody>;
 
 struct PlantEvent {
   Nanoseconds time = 0;
@@ -57,6 +68,8 @@ class TimedPlant {
   const std::vector<Cargo>& cargo() const noexcept { return cargo_; }
   /// Name of the attached payload; empty without one.
   const std::string& attachedName() const noexcept { return attached_name_; }
+  /// Sum of the disturbances that act at now(); each is held over a step.
+  ForceMoment disturbance() const noexcept;
   /// Time of the first crash.
   std::optional<Nanoseconds> crashTime() const noexcept { return crash_time_; }
 
@@ -67,9 +80,10 @@ class TimedPlant {
   const std::vector<Refusal>& refusals() const noexcept { return refusals_; }
 
  private:
-  void apply(const PlantAction& action);
+  void apply(const PlantEvent& event);
   void attach(const AttachPayload& attach);
   void detach();
+  void disturb();
   std::vector<Cargo>::const_iterator find(const std::string& name) const;
 
   Plant plant_;
@@ -78,6 +92,11 @@ class TimedPlant {
   Nanoseconds step_;
   Nanoseconds now_;
   std::vector<PlantEvent> events_;  // still to come, by time
+  struct ActiveDisturbance {
+    Nanoseconds begin;
+    ApplyDisturbance shape;
+  };
+  std::vector<ActiveDisturbance> disturbances_;  // that have begun
   std::optional<Nanoseconds> crash_time_;
   std::vector<Refusal> refusals_;
 };

@@ -29,11 +29,12 @@ std::string flightCsv(const FlightLog& log);
 ///
 ///     {"scenario": s, "flights": [{"controller": s,
 ///      "rms": {"x", "y", "z", "roll", "pitch", "yaw"},
-///      "peak_altitude_error", "settled_altitude_error", "crashed": bool, "crash_time": s|null,
-///      "grounded_from": s|null, "duration": s, "real_time_factor": n|null,
+///      "peak_altitude_error", "settled_altitude_error", "final_lateral_error", "crashed": bool,
+///      "crash_time": s|null, "grounded_from": s|null, "duration": s, "real_time_factor": n|null,
 ///      "refusals": [{"time": s, "reason": s}]}]}
 ///
-/// Refusals are events of the scenario that had become impossible in this flight. What is not
+/// Refusals are events of the scenario that had become impossible in this flight, and switches of
+/// subsystems that were refused or against the dwell time. What is not
 /// finite or was not measured is null. Throws std::invalid_argument as measure() does.
 nlohmann::json flightJson(const std::vector<FlightLog>& logs, const Scenario& scenario);
 
