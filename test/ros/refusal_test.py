@@ -69,6 +69,35 @@ class Refusal(unittest.TestCase):
         rospy.set_param('/vehicle/rotors/angles_deg', [0.0, 120.0, 240.0])
         self.refused(NODELET, '/vehicle/rotors/angles_deg', '3 rotors', '4 to')
 
+    def refused_switched(self, change, *words):
+        gains = config('controller', 'switched')
+        change(gains)
+        rospy.set_param('/controller', {'gains': gains})
+        self.refused(NODELET, *words)
+
+    def test_controller_refuses_a_gain_that_is_not_positive_definite(self):
+        self.refused_switched(
+            lambda gains: gains['subsystems'][1].update(error_gain=[150.0, 150.0, -150.0, 150.0]),
+            '/controller/gains/subsystems[1]/error_gain', '-150', 'positive definite')
+
+    def test_controller_refuses_a_leak_that_is_too_small(self):
+        self.refused_switched(lambda gains: gains['subsystems'][2].update(leak=[0.6, 0.6, 0.1, 0.6]),
+                              '/controller/gains/subsystems[2]/leak', '0.1', 'varrho / 2')
+
+    def test_controller_refuses_a_chatter_bound_below_one(self):
+        self.refused_switched(lambda gains: gains.update(chatter_bound=0.5),
+                              '/controller/gains/chatter_bound', '0.5', '>= 1')
+
+    def test_controller_refuses_an_unknown_initial_subsystem(self):
+        self.refused_switched(lambda gains: gains.update(initial_subsystem=4),
+                              '/controller/gains/initial_subsystem', '4', '<= 3')
+
+    def test_mission_refuses_an_impossible_subsystem(self):
+        scenario = config('scenario', 'vertical_lift')
+        scenario['mission'][2]['switch']['subsystem'] = 0
+        rospy.set_param('/scenario', scenario)
+        self.refused(MISSION, '/scenario/mission[2]/switch/subsystem', "'0'", '>= 1')
+
     def test_plant_refuses_a_negative_mass(self):
         rospy.set_param('/vehicle/mass', -2.0)
         self.refused(PLANT, '/vehicle/mass', '-2', '> 0')
