@@ -124,6 +124,13 @@ void PlantNode::publish() {
   transform.transform.translation = toVector3(state.position);
   transform.transform.rotation = toQuaternion(state.attitude);
   transforms_.sendTransform(transform);
+  if (const auto& payload = plant_->plant().payload()) {
+    transform.header.frame_id = "base_link";
+    transform.child_frame_id = "payload";
+    transform.transform.translation = toVector3(payload->offset);
+    transform.transform.rotation = toQuaternion(Eigen::Quaterniond::Identity());
+    transforms_.sendTransform(transform);
+  }
 
   sensor_msgs::Imu imu;
   imu.header.stamp = stamp;
@@ -149,6 +156,17 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   status.disturbance_force = toVector3(disturbance.force);
   status.disturbance_moment = toVector3(disturbance.moment);
   status.rotor_speeds.assign(plant.rotorSpeeds().begin(), plant.rotorSpeeds().end());
+  if (const auto& payload = plant.payload()) {
+    status.payload_name = plant_->attachedName();
+    status.payload_size = toVector3(payload->size);
+    status.payload_offset = toVector3(payload->offset);
+  }
+  for (const Cargo& cargo : plant_->cargo()) {
+    status.cargo_names.push_back(cargo.name);
+    status.cargo_positions.push_back(toPoint(cargo.position));
+    status.cargo_sizes.push_back(toVector3(cargo.payload.size));
+  }
+  status.wind = toVector3(plant.wind());
   status_publisher_.publish(status);
 }
 
