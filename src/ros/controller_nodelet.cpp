@@ -52,8 +52,9 @@ void ControllerNodelet::configure() {
       std::make_unique<FlightDiagnostics>(getNodeHandle(), getPrivateNodeHandle(), getName(),
                                           FlightMonitor(period_, vehicle.maxThrust() / kGravity));
   tuner_ = std::make_unique<GainTuner>(
-      getPrivateNodeHandle(), vehicle, parameterTree(getPrivateNodeHandle(), "gains"),
-      getSTCallbackQueue(), [this](PreparedLaw& prepared) { return swapLaw(prepared); });
+      getPrivateNodeHandle(), parameterTree(getNodeHandle(), "vehicle"),
+      parameterTree(getPrivateNodeHandle(), "gains"), getSTCallbackQueue(),
+      [this](PreparedLaw& prepared) { return swapLaw(prepared); });
 }
 
 void ControllerNodelet::connect() {

@@ -51,10 +51,11 @@ std::string nameOf(const YAML::Node& gains) {
 
 }  // namespace
 
-GainTuner::GainTuner(const ros::NodeHandle& node, const Vehicle& vehicle, const YAML::Node& gains,
-                     ros::CallbackQueueInterface& control, Swap swap)
+GainTuner::GainTuner(const ros::NodeHandle& node, const YAML::Node& vehicle,
+                     const YAML::Node& gains, ros::CallbackQueueInterface& control, Swap swap)
     : node_(node),
-      vehicle_(vehicle),
+      vehicle_tree_(vehicle),
+      vehicle_(readVehicle(ParameterReader(vehicle, "vehicle"))),
       gains_(YAML::Clone(gains)),
       control_(control),
       swap_(std::move(swap)),
@@ -84,7 +85,7 @@ void GainTuner::makeServer() {
 
 void GainTuner::publish() {
   YAML::Node all;
-  all["vehicle"] = parameterTree(ros::NodeHandle(), node_.resolveName("../vehicle"));
+  all["vehicle"] = vehicle_tree_;
   all["gains"] = gains_;
   std_msgs::String message;
   message.data = YAML::Dump(all);

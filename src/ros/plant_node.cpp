@@ -117,6 +117,21 @@ void PlantNode::publish() {
   publishTruth(toRosTime(plant_->now()));
 
   const State& state = plant_->plant().state();
+  if (stamp != transform_stamp_) publishTransforms(stamp);  // tf complains about repetitions
+
+  sensor_msgs::Imu imu;
+  imu.header.stamp = stamp;
+  imu.header.frame_id = "base_link";
+  imu.orientation = toQuaternion(state.attitude);
+  imu.angular_velocity = toVector3(state.body_rate);
+  imu.linear_acceleration = toVector3(plant_->plant().specificForce());
+  imu_publisher_.publish(imu);
+  odometry_publisher_.publish(toOdometry(state, time));  // last: in lock step the answer moves on
+}
+
+void PlantNode::publishTransforms(const ros::Time& stamp) {
+  transform_stamp_ = stamp;
+  const State& state = plant_->plant().state();
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = stamp;
   transform.header.frame_id = "world";
@@ -131,15 +146,6 @@ void PlantNode::publish() {
     transform.transform.rotation = toQuaternion(Eigen::Quaterniond::Identity());
     transforms_.sendTransform(transform);
   }
-
-  sensor_msgs::Imu imu;
-  imu.header.stamp = stamp;
-  imu.header.frame_id = "base_link";
-  imu.orientation = toQuaternion(state.attitude);
-  imu.angular_velocity = toVector3(state.body_rate);
-  imu.linear_acceleration = toVector3(plant_->plant().specificForce());
-  imu_publisher_.publish(imu);
-  odometry_publisher_.publish(toOdometry(state, time));  // last: in lock step the answer moves on
 }
 
 void PlantNode::publishTruth(const ros::Time& stamp) {

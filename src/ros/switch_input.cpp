@@ -23,7 +23,7 @@ void SwitchInput::onOrder(const msgs::ActiveSubsystem::ConstPtr& message) {
 }
 
 void SwitchInput::step(Nanoseconds now) {
-  while (const auto report = orders_.next(subsystems_, now)) {
+  while (const auto report = orders_.next(*subsystems_, now)) {
     if (!report->objected()) continue;
     refused_subsystem_ = report->order.subsystem;
     refusal_ = toString(report->verdict.outcome);

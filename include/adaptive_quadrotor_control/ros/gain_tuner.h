@@ -39,9 +39,9 @@ class GainTuner {
   /// or says why not.
   using Swap = std::function<std::string(PreparedLaw&)>;
 
-  /// `node` is the controller's private handle, `gains` what flies now. `control` is the queue
-  /// that the control thread serves.
-  GainTuner(const ros::NodeHandle& node, const Vehicle& vehicle, const YAML::Node& gains,
+  /// `node` is the controller's private handle; `vehicle` and `gains` are the trees of what flies
+  /// now. `control` is the queue that the control thread serves.
+  GainTuner(const ros::NodeHandle& node, const YAML::Node& vehicle, const YAML::Node& gains,
             ros::CallbackQueueInterface& control, Swap swap);
   ~GainTuner();
 
@@ -54,6 +54,7 @@ class GainTuner {
 
   ros::CallbackQueue queue_;  // of the thread that reads, validates and builds
   ros::NodeHandle node_;
+  YAML::Node vehicle_tree_;
   Vehicle vehicle_;
   YAML::Node gains_;  // what flies
   ros::CallbackQueueInterface& control_;
