@@ -52,6 +52,11 @@ void Asmc::Loop<Count>::reset() noexcept {
   for (AdaptiveGain& gain : gains_) gain.reset();
 }
 
+template <std::size_t Count>
+void Asmc::Loop<Count>::adopt(const Loop& old) noexcept {
+  for (std::size_t i = 0; i < Count; ++i) gains_[i].adopt(old.gains_[i].value());
+}
+
 Asmc::Asmc(const ParameterReader& reader)
     : CascadedController(reader),
       position_(reader.child("position")),
@@ -76,6 +81,20 @@ void Asmc::reset() noexcept {
   position_.reset();
   attitude_.reset();
   mass_.reset();
+  report(telemetry_);
+}
+
+void Asmc::adopt(const Controller& old) noexcept {
+  if (const auto* same = dynamic_cast<const Asmc*>(&old)) {
+    position_.adopt(same->position_);
+    attitude_.adopt(same->attitude_);
+    mass_.adopt(same->mass_.value());
+  } else {
+    const Telemetry& before = old.telemetry();
+    const double mass =
+        std::isfinite(before.mass_estimate) ? before.mass_estimate : before.force.z() / kGravity;
+    if (mass > mass_.value()) mass_.adopt(mass);
+  }
   report(telemetry_);
 }
 

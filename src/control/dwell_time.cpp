@@ -82,6 +82,13 @@ void DwellTimeMonitor::record(Nanoseconds now) noexcept {
   last_ = now;
 }
 
+void DwellTimeMonitor::adopt(const DwellTimeMonitor& old) noexcept {
+  const double switches = static_cast<double>(old.fill_) / static_cast<double>(old.dwell_time_);
+  fill_ = std::min(
+      capacity_, static_cast<Nanoseconds>(std::ceil(switches * static_cast<double>(dwell_time_))));
+  last_ = old.last_;
+}
+
 void DwellTimeMonitor::reset() noexcept {
   fill_ = 0;
   last_ = 0;

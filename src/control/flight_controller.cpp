@@ -9,13 +9,21 @@ FlightController::FlightController(const Vehicle& vehicle, std::unique_ptr<Contr
 
 const Allocation& FlightController::step(const State& state, const SetPoint* set_point,
                                          double dt) noexcept {
-  if (set_point != nullptr) {
+  flying_ = set_point != nullptr;
+  if (flying_) {
     allocation_ = rotors_.allocate(law_->update(state, *set_point, dt));
   } else {
     law_->reset();
     allocation_ = rotors_.allocate({});
   }
   return allocation_;
+}
+
+std::unique_ptr<Controller> FlightController::replaceLaw(std::unique_ptr<Controller> law) noexcept {
+  law->adopt(*law_);
+  if (!flying_) law->reset();
+  law_.swap(law);
+  return law;
 }
 
 }  // namespace aqc

@@ -60,6 +60,12 @@ std::string SubsystemSwitch::text() const {
   return out.str();
 }
 
+void SubsystemSwitch::adopt(const SubsystemSwitch& old) noexcept {
+  active_ = old.active_;
+  counts_ = old.counts_;
+  monitor_.adopt(old.monitor_);
+}
+
 void SubsystemSwitch::restart() noexcept {
   active_ = initial_;
   monitor_.reset();

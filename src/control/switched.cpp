@@ -92,6 +92,17 @@ void Switched::reset() noexcept {
   report(idle());
 }
 
+void Switched::adopt(const Controller& old) noexcept {
+  const auto* same = dynamic_cast<const Switched*>(&old);
+  if (same == nullptr || same->law_.count() != law_.count()) return;
+  law_.adopt(same->law_);
+  switch_.adopt(same->switch_);
+  velocity_slope_.adopt(same->velocity_slope_);
+  rate_slope_.adopt(same->rate_slope_);
+  specific_force_ = same->specific_force_;
+  report(idle());
+}
+
 void Switched::senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
   if (specific_force.allFinite()) specific_force_ = specific_force;
 }

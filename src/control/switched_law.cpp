@@ -121,6 +121,12 @@ void SwitchedLaw::reset() noexcept {
   for (SwitchedSubsystem& subsystem : subsystems_) subsystem.reset();
 }
 
+void SwitchedLaw::adopt(const SwitchedLaw& old) noexcept {
+  for (std::size_t i = 0; i < std::min(subsystems_.size(), old.subsystems_.size()); ++i) {
+    subsystems_[i].adopt(old.subsystems_[i].gains());
+  }
+}
+
 std::vector<LyapunovSpectrum> SwitchedLaw::spectra() const {
   std::vector<LyapunovSpectrum> spectra;
   for (const SwitchedSubsystem& subsystem : subsystems_) spectra.push_back(subsystem.spectrum());

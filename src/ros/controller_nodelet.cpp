@@ -11,6 +11,7 @@
 
 #include "adaptive_quadrotor_control/Actuators.h"
 #include "adaptive_quadrotor_control/control/controller_factory.h"
+#include "adaptive_quadrotor_control/control/handover.h"
 #include "adaptive_quadrotor_control/ros/conversions.h"
 #include "adaptive_quadrotor_control/ros/parameter_tree.h"
 
@@ -36,6 +37,7 @@ void ControllerNodelet::onInit() {
 
 void ControllerNodelet::configure() {
   const Vehicle vehicle = readParameters(getNodeHandle(), "vehicle", readVehicle);
+  getPrivateNodeHandle().deleteParam("tuning");  // what the tuner of an earlier run left behind
   const ParameterReader own = parameterReader(getPrivateNodeHandle(), "");
   const double default_rate = getNodeHandle().param("scenario/control_rate", 250.0);
   period_ = fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), default_rate));
@@ -46,6 +48,13 @@ void ControllerNodelet::configure() {
   controller_ = std::make_unique<FlightController>(vehicle, makeController(gains, vehicle));
   own.finish();
   adaptive_names_ = controller_->law().adaptiveNames();
+  diagnostics_ =
+      std::make_unique<FlightDiagnostics>(getNodeHandle(), getPrivateNodeHandle(), getName(),
+                                          FlightMonitor(period_, vehicle.maxThrust() / kGravity));
+  tuner_ = std::make_unique<GainTuner>(
+      getPrivateNodeHandle(), parameterTree(getNodeHandle(), "vehicle"),
+      parameterTree(getPrivateNodeHandle(), "gains"), getSTCallbackQueue(),
+      [this](PreparedLaw& prepared) { return swapLaw(prepared); });
 }
 
 void ControllerNodelet::connect() {
@@ -58,14 +67,7 @@ void ControllerNodelet::connect() {
   trajectory_subscriber_ =
       node.subscribe("command/trajectory", 10, &ControllerNodelet::onTrajectory, this, fast);
   pose_subscriber_ = node.subscribe("command/pose", 10, &ControllerNodelet::onPose, this, fast);
-  if (SubsystemSwitch* subsystems = controller_->subsystems()) {
-    switch_ = std::make_unique<SwitchInput>(node, *subsystems);
-  }
-  if (controller_->law().needsImu()) {
-    imu_ = std::make_unique<ImuInput>(node, [this] {
-      if (waiting_ && imu_->covers(odometry_time_)) answer();
-    });
-  }
+  connectLaw();
   if (!odometry_triggers_) {
     timer_ = node.createTimer(ros::Duration().fromNSec(period_), &ControllerNodelet::onTimer, this);
   }
@@ -73,11 +75,31 @@ void ControllerNodelet::connect() {
                odometry_triggers_ ? "odometry" : "a timer");
 }
 
+// The inputs that only some laws have.
+void ControllerNodelet::connectLaw() {
+  SubsystemSwitch* subsystems = controller_->subsystems();
+  if (subsystems == nullptr) {
+    switch_.reset();
+  } else if (switch_) {
+    switch_->follow(*subsystems);
+  } else {
+    switch_ = std::make_unique<SwitchInput>(getNodeHandle(), *subsystems);
+  }
+  if (!controller_->law().needsImu()) {
+    imu_.reset();
+  } else if (!imu_) {
+    imu_ = std::make_unique<ImuInput>(getNodeHandle(), [this] {
+      if (waiting_ && imu_->covers(odometry_time_)) answer();
+    });
+  }
+}
+
 void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) {
   const State state = toState(*message);
   const Nanoseconds time = toNanoseconds(message->header.stamp);
   if (!state.valid() || (state_ && time < odometry_time_)) {
     ++dropped_odometry_;
+    diagnostics_->monitor().countDroppedOdometry();
     NODELET_WARN_THROTTLE(kWarningPeriod, "odometry dropped: %s (%u so far)",
                           state.valid() ? "its stamp goes back" : "it is not finite or not a pose",
                           dropped_odometry_);
@@ -85,6 +107,8 @@ void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) 
   }
   state_ = state;
   odometry_time_ = time;
+  diagnostics_->heardOdometry();
+  diagnostics_->monitor().countOdometry(time, toNanoseconds(ros::Time::now()));
   if (!odometry_triggers_) return;
   // The same stamp again asks for the answer again (the simulator waits for it), not for a step:
   // unless nothing was flying, when a set point may have come in the meantime.
@@ -120,8 +144,25 @@ void ControllerNodelet::step(Nanoseconds now, double dt) {
   if (switch_) switch_->step(now);
   if (imu_) imu_->feed(*controller_, odometry_time_);
   controller_->step(state_.value_or(State()), set_point, dt);
+  diagnostics_->monitor().countStep(now, flying_, controller_->law().telemetry(),
+                                    controller_->allocation().saturated);
   publishMotors();
   publishState();
+}
+
+std::string ControllerNodelet::swapLaw(PreparedLaw& prepared) {
+  if (controller_->flying() && prepared.name != law_name_) {
+    const std::string obstacle =
+        handoverObstacle(controller_->law().telemetry(), controller_->allocation().saturated);
+    if (!obstacle.empty()) {
+      return "'" + prepared.name + "' cannot take over from '" + law_name_ + "' now: " + obstacle;
+    }
+  }
+  prepared.law = controller_->replaceLaw(std::move(prepared.law));
+  law_name_.swap(prepared.name);
+  adaptive_names_.swap(prepared.adaptive_names);
+  connectLaw();
+  return "";
 }
 
 void ControllerNodelet::publishMotors() {
@@ -157,6 +198,7 @@ void ControllerNodelet::accept(std::vector<TimedSetPoint> set_points, Nanosecond
                                const ros::Time& stamp) {
   schedule_.replace(now, std::move(set_points));
   trajectory_stamp_ = stamp;
+  diagnostics_->monitor().countSetPoint(now);
 }
 
 void ControllerNodelet::onTrajectory(
@@ -168,6 +210,7 @@ void ControllerNodelet::onTrajectory(
            message->header.stamp);
   } catch (const std::invalid_argument& error) {
     ++dropped_set_points_;
+    diagnostics_->monitor().countDroppedSetPoint();
     NODELET_WARN_THROTTLE(kWarningPeriod, "trajectory dropped: %s (%u so far)", error.what(),
                           dropped_set_points_);
   }
@@ -179,6 +222,7 @@ void ControllerNodelet::onPose(const geometry_msgs::PoseStamped::ConstPtr& messa
     accept({{now, toSetPoint(message->pose)}}, now, message->header.stamp);
   } catch (const std::invalid_argument& error) {
     ++dropped_set_points_;
+    diagnostics_->monitor().countDroppedSetPoint();
     NODELET_WARN_THROTTLE(kWarningPeriod, "pose dropped: %s (%u so far)", error.what(),
                           dropped_set_points_);
   }

@@ -34,7 +34,31 @@ YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& name) {
   }
 }
 
+// YAML does not tell numbers from texts; what reads as a number is one.
+XmlRpc::XmlRpcValue toXmlRpc(const YAML::Node& node) {
+  XmlRpc::XmlRpcValue value;
+  int index = 0;
+  if (node.IsMap()) {
+    for (const auto& entry : node) value[entry.first.as<std::string>()] = toXmlRpc(entry.second);
+    return value;
+  }
+  if (node.IsSequence()) {
+    value.setSize(static_cast<int>(node.size()));
+    for (const YAML::Node& entry : node) value[index++] = toXmlRpc(entry);
+    return value;
+  }
+  int whole = 0;
+  double number = 0.0;
+  if (YAML::convert<int>::decode(node, whole)) return whole;
+  if (YAML::convert<double>::decode(node, number)) return number;
+  return XmlRpc::XmlRpcValue(node.Scalar());
+}
+
 }  // namespace
+
+void setParameterTree(const ros::NodeHandle& node, const std::string& key, const YAML::Node& tree) {
+  node.setParam(key, toXmlRpc(tree));
+}
 
 YAML::Node parameterTree(const ros::NodeHandle& node, const std::string& key) {
   const std::string name = node.resolveName(key);

@@ -117,13 +117,7 @@ void PlantNode::publish() {
   publishTruth(toRosTime(plant_->now()));
 
   const State& state = plant_->plant().state();
-  geometry_msgs::TransformStamped transform;
-  transform.header.stamp = stamp;
-  transform.header.frame_id = "world";
-  transform.child_frame_id = "base_link";
-  transform.transform.translation = toVector3(state.position);
-  transform.transform.rotation = toQuaternion(state.attitude);
-  transforms_.sendTransform(transform);
+  if (stamp != transform_stamp_) publishTransforms(stamp);  // tf complains about repetitions
 
   sensor_msgs::Imu imu;
   imu.header.stamp = stamp;
@@ -133,6 +127,25 @@ void PlantNode::publish() {
   imu.linear_acceleration = toVector3(plant_->plant().specificForce());
   imu_publisher_.publish(imu);
   odometry_publisher_.publish(toOdometry(state, time));  // last: in lock step the answer moves on
+}
+
+void PlantNode::publishTransforms(const ros::Time& stamp) {
+  transform_stamp_ = stamp;
+  const State& state = plant_->plant().state();
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = stamp;
+  transform.header.frame_id = "world";
+  transform.child_frame_id = "base_link";
+  transform.transform.translation = toVector3(state.position);
+  transform.transform.rotation = toQuaternion(state.attitude);
+  transforms_.sendTransform(transform);
+  if (const auto& payload = plant_->plant().payload()) {
+    transform.header.frame_id = "base_link";
+    transform.child_frame_id = "payload";
+    transform.transform.translation = toVector3(payload->offset);
+    transform.transform.rotation = toQuaternion(Eigen::Quaterniond::Identity());
+    transforms_.sendTransform(transform);
+  }
 }
 
 void PlantNode::publishTruth(const ros::Time& stamp) {
@@ -149,6 +162,17 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   status.disturbance_force = toVector3(disturbance.force);
   status.disturbance_moment = toVector3(disturbance.moment);
   status.rotor_speeds.assign(plant.rotorSpeeds().begin(), plant.rotorSpeeds().end());
+  if (const auto& payload = plant.payload()) {
+    status.payload_name = plant_->attachedName();
+    status.payload_size = toVector3(payload->size);
+    status.payload_offset = toVector3(payload->offset);
+  }
+  for (const Cargo& cargo : plant_->cargo()) {
+    status.cargo_names.push_back(cargo.name);
+    status.cargo_positions.push_back(toPoint(cargo.position));
+    status.cargo_sizes.push_back(toVector3(cargo.payload.size));
+  }
+  status.wind = toVector3(plant.wind());
   status_publisher_.publish(status);
 }
 

@@ -9,7 +9,7 @@ constexpr std::uint32_t kMostOrders = 10000;  // that may come at once: a whole 
 }  // namespace
 
 SwitchInput::SwitchInput(ros::NodeHandle& node, SubsystemSwitch& subsystems)
-    : subsystems_(subsystems),
+    : subsystems_(&subsystems),
       subscriber_(node.subscribe("active_subsystem", kMostOrders, &SwitchInput::onOrder, this,
                                  ros::TransportHints().tcpNoDelay())) {
   ROS_INFO("%d subsystems, %d active; %s", subsystems.count(), subsystems.active(),
@@ -23,7 +23,7 @@ void SwitchInput::onOrder(const msgs::ActiveSubsystem::ConstPtr& message) {
 }
 
 void SwitchInput::step(Nanoseconds now) {
-  while (const auto report = orders_.next(subsystems_, now)) {
+  while (const auto report = orders_.next(*subsystems_, now)) {
     if (!report->objected()) continue;
     refused_subsystem_ = report->order.subsystem;
     refusal_ = toString(report->verdict.outcome);
@@ -32,13 +32,13 @@ void SwitchInput::step(Nanoseconds now) {
 }
 
 void SwitchInput::fill(msgs::ControllerState& state, Nanoseconds now) const {
-  state.active_subsystem = static_cast<std::uint8_t>(subsystems_.active());
-  state.switches = static_cast<std::uint32_t>(subsystems_.counts().switched);
+  state.active_subsystem = static_cast<std::uint8_t>(subsystems_->active());
+  state.switches = static_cast<std::uint32_t>(subsystems_->counts().switched);
   state.switches_pending = static_cast<std::uint32_t>(orders_.pending());
-  state.switch_refusals = static_cast<std::uint32_t>(subsystems_.objections());
+  state.switch_refusals = static_cast<std::uint32_t>(subsystems_->objections());
   state.refused_subsystem = static_cast<std::uint8_t>(refused_subsystem_);
   state.switch_refusal = refusal_;
-  state.next_switch_allowed = toRosTime(subsystems_.earliest(now));
+  state.next_switch_allowed = toRosTime(subsystems_->earliest(now));
 }
 
 }  // namespace aqc

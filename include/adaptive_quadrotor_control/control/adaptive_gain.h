@@ -15,6 +15,8 @@ class AdaptiveGain {
 
   double value() const noexcept { return value_; }
   void reset() noexcept { value_ = initial_; }
+  /// Goes on from `value`; initial value and leak stay.
+  void adopt(double value) noexcept { value_ = value; }
 
   /// Integrates the drive u over `dt` seconds.
   void step(double drive, double dt) noexcept {

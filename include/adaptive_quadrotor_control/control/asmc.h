@@ -18,6 +18,9 @@ class Asmc final : public CascadedController {
   explicit Asmc(const ParameterReader& reader);
 
   void reset() noexcept override;
+  /// From an asmc all gains and m-hat; from another law m-hat alone: its estimate or, without one,
+  /// the mass that the vertical force it commands would hold up, which is the true one at rest.
+  void adopt(const Controller& old) noexcept override;
   std::vector<std::string> adaptiveNames() const override;
 
  private:
@@ -35,6 +38,7 @@ class Asmc final : public CascadedController {
     Eigen::Vector3d update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate, double dt,
                            Eigen::Vector3d& sliding) noexcept;
     void reset() noexcept;
+    void adopt(const Loop& old) noexcept;
     const std::array<AdaptiveGain, Count>& gains() const noexcept { return gains_; }
 
    private:

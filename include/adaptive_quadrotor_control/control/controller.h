@@ -48,6 +48,12 @@ class Controller {
   /// Adaptive quantities back to their initial values.
   virtual void reset() noexcept = 0;
 
+  /// Takes over in flight from `old`, which made the last step; called instead of reset(), between
+  /// two steps. A law of the same kind carries its adaptive quantities on; another one starts from
+  /// what the old law's command tells it (a law that adapts a mass: the one it carries now). Laws
+  /// that adapt nothing have nothing to do.
+  virtual void adopt(const Controller& old) noexcept { static_cast<void>(old); }
+
   /// What an accelerometer at the origin of B read last, in B [m/s^2]: the force but gravity on a
   /// unit of mass. Laws that use none ignore it; those that do hold it until the next one comes and
   /// do without until the first. Whoever feeds it watches its age: see forgetSpecificForce().

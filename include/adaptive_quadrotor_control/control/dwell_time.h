@@ -57,6 +57,9 @@ class DwellTimeMonitor {
   void record(Nanoseconds now) noexcept;
   /// Forgets every switch.
   void reset() noexcept;
+  /// Remembers the switches that `old` remembers; they count as many as they did, whatever its
+  /// dwell time was.
+  void adopt(const DwellTimeMonitor& old) noexcept;
 
   Nanoseconds dwellTime() const noexcept { return dwell_time_; }
   double chatterBound() const noexcept { return chatter_bound_; }

@@ -28,6 +28,13 @@ class FilteredDerivative {
 
   const Eigen::Vector3d& value() const noexcept { return value_; }
 
+  /// Goes on from the last sample and value of `old`; the cut-off stays.
+  void adopt(const FilteredDerivative& old) noexcept {
+    started_ = old.started_;
+    last_ = old.last_;
+    value_ = old.value_;
+  }
+
   void reset() noexcept {
     started_ = false;
     value_.setZero();

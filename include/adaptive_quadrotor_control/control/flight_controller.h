@@ -17,6 +17,10 @@ class FlightController {
   /// adaptive quantities are put back to their initial values. Allocates nothing, never throws.
   const Allocation& step(const State& state, const SetPoint* set_point, double dt) noexcept;
 
+  /// Swaps the law between two steps. The new one adopts what the old one knew and, unless flying,
+  /// is reset then. The old law comes back, so that it need not die here.
+  std::unique_ptr<Controller> replaceLaw(std::unique_ptr<Controller> law) noexcept;
+
   /// What an accelerometer at the origin of B read last, in B [m/s^2]; for laws that need it.
   void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
     law_->senseSpecificForce(specific_force);
@@ -27,6 +31,8 @@ class FlightController {
   SubsystemSwitch* subsystems() noexcept { return law_->subsystems(); }
   const SubsystemSwitch* subsystems() const noexcept { return law_->subsystems(); }
 
+  /// Whether the last step had a set point.
+  bool flying() const noexcept { return flying_; }
   /// Of the last step().
   const Allocation& allocation() const noexcept { return allocation_; }
   const Controller& law() const noexcept { return *law_; }
@@ -35,6 +41,7 @@ class FlightController {
   RotorAllocation rotors_;
   std::unique_ptr<Controller> law_;
   Allocation allocation_;
+  bool flying_ = false;  // the last step had a set point
 };
 
 }  // namespace aqc

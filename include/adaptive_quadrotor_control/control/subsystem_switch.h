@@ -64,6 +64,10 @@ class SubsystemSwitch {
   /// Back to the initial subsystem; forgets every switch and count. For a clock that starts anew.
   void restart() noexcept;
 
+  /// Goes on from another signal of as many subsystems: the active one, the counts, the memory of
+  /// switches.
+  void adopt(const SubsystemSwitch& old) noexcept;
+
   const SwitchCounts& counts() const noexcept { return counts_; }
   /// Requests that were refused, or done against the dwell time.
   long objections() const noexcept { return counts_.too_early + counts_.unknown; }

@@ -39,6 +39,10 @@ class Switched final : public Controller {
   /// Gains to their initial values and filters emptied. The active subsystem and the memory of past
   /// switches stay: they belong to the payload, not to the law. For those: subsystems()->restart().
   void reset() noexcept override;
+  /// From a switched law of as many subsystems everything that is not a parameter: gains, filters,
+  /// active subsystem, memory of switches. From another law nothing: this one has no integral of
+  /// the weight, so it lets the vehicle sink until its error gain holds it.
+  void adopt(const Controller& old) noexcept override;
   void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept override;
   void forgetSpecificForce() noexcept override { specific_force_.reset(); }
   bool needsImu() const noexcept override { return true; }

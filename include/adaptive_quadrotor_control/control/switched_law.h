@@ -76,6 +76,8 @@ class SwitchedSubsystem {
   void adaptInactive(double dt) noexcept;
 
   void reset() noexcept;
+  /// Goes on from `gains`.
+  void adopt(const SubsystemGains& gains) noexcept { gains_ = gains; }
 
   const SubsystemGains& gains() const noexcept { return gains_; }
   const SubsystemParameters& parameters() const noexcept { return parameters_; }
@@ -107,6 +109,8 @@ class SwitchedLaw {
   /// The gains of every subsystem over `dt` seconds; `filtered_error` is ||r|| of output().
   void adapt(int active, const SwitchedInput& in, double filtered_error, double dt) noexcept;
   void reset() noexcept;
+  /// The gains of a law of as many subsystems, but maybe other parameters, go on here.
+  void adopt(const SwitchedLaw& old) noexcept;
 
   int count() const noexcept { return static_cast<int>(subsystems_.size()); }
   const SwitchedSubsystem& subsystem(int index) const noexcept {

@@ -12,6 +12,8 @@
 #include "adaptive_quadrotor_control/control/flight_controller.h"
 #include "adaptive_quadrotor_control/model/time.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
+#include "adaptive_quadrotor_control/ros/flight_diagnostics.h"
+#include "adaptive_quadrotor_control/ros/gain_tuner.h"
 #include "adaptive_quadrotor_control/ros/imu_input.h"
 #include "adaptive_quadrotor_control/ros/switch_input.h"
 
@@ -23,7 +25,8 @@ namespace aqc {
 /// need them. Out: `command/motor_speed`, `~state`.
 /// Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller), `~rate` [Hz]
 /// (default: `scenario/control_rate` where a scenario is loaded, else 250), `~trigger`. All
-/// callbacks come from one queue in one thread, so nothing is locked.
+/// callbacks come from one queue in one thread, so nothing is locked. Gains and law may change in
+/// flight: see GainTuner and HandoverLimits.
 ///
 /// `~trigger: timer` runs the law at `~rate` by ROS time on the latest odometry; `odometry` runs
 /// it when odometry that is due arrives and answers every odometry, which a lock-stepped
@@ -35,6 +38,7 @@ class ControllerNodelet : public nodelet::Nodelet {
   void onInit() override;
   void configure();
   void connect();
+  void connectLaw();
 
   void onOdometry(const nav_msgs::Odometry::ConstPtr& message);
   void onTrajectory(const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& message);
@@ -44,6 +48,7 @@ class ControllerNodelet : public nodelet::Nodelet {
   void accept(std::vector<TimedSetPoint> set_points, Nanoseconds now, const ros::Time& stamp);
   void answer();
   void step(Nanoseconds now, double dt);
+  std::string swapLaw(PreparedLaw& prepared);
   void publishMotors();
   void publishState();
 
@@ -72,6 +77,8 @@ class ControllerNodelet : public nodelet::Nodelet {
   ros::Timer timer_;
   std::unique_ptr<ImuInput> imu_;        // null: the law needs none
   std::unique_ptr<SwitchInput> switch_;  // null: the law has no subsystems
+  std::unique_ptr<FlightDiagnostics> diagnostics_;
+  std::unique_ptr<GainTuner> tuner_;
 };
 
 }  // namespace aqc

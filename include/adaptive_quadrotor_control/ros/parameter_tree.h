@@ -14,6 +14,9 @@ namespace aqc {
 /// when they hold a type that YAML has no word for.
 YAML::Node parameterTree(const ros::NodeHandle& node, const std::string& key);
 
+/// Writes a tree of numbers, texts, lists and maps to the parameters below `key`.
+void setParameterTree(const ros::NodeHandle& node, const std::string& key, const YAML::Node& tree);
+
 /// A reader of that tree whose errors print the full ROS names.
 ParameterReader parameterReader(const ros::NodeHandle& node, const std::string& key);
 

@@ -20,8 +20,8 @@ namespace aqc {
 
 /// The simulated vehicle in ROS: a shell around TimedPlant.
 ///
-/// In: `command/motor_speed`. Out: `odometry`, `imu`, `~status`, tf world -> base_link and, with
-/// /use_sim_time, `/clock`. Services: `~attach_payload`, `~detach_payload`, `~set_wind`,
+/// In: `command/motor_speed`. Out: `odometry`, `imu`, `~status`, tf world -> base_link -> payload
+/// and, with /use_sim_time, `/clock`. Services: `~attach_payload`, `~detach_payload`, `~set_wind`,
 /// `~set_body`, `~apply_disturbance`, `~reset`, `~resume`. Parameters: `vehicle`, `scenario`
 /// (start, rates), `~lock_step`, `~real_time_factor`,
 /// `~start_paused`.
@@ -50,6 +50,7 @@ class PlantNode {
   void restart(Nanoseconds start);
   void advance();
   void publish();
+  void publishTransforms(const ros::Time& stamp);
   void publishTruth(const ros::Time& stamp);
   template <class Response>
   bool plan(const ros::Time& at, PlantAction action, Response& response);
@@ -73,6 +74,7 @@ class PlantNode {
   ros::Publisher clock_publisher_;
   ros::Publisher status_publisher_;
   tf2_ros::TransformBroadcaster transforms_;
+  ros::Time transform_stamp_;  // last sent
   ros::Subscriber command_subscriber_;
   std::vector<ros::ServiceServer> services_;
   ros::WallTimer timer_;

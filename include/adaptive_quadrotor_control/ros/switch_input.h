@@ -18,6 +18,9 @@ class SwitchInput {
   /// `subsystems` must outlive this.
   SwitchInput(ros::NodeHandle& node, SubsystemSwitch& subsystems);
 
+  /// From now on orders go to the subsystems of another law; those still to come stay.
+  void follow(SubsystemSwitch& subsystems) noexcept { subsystems_ = &subsystems; }
+
   /// Carries out what is due in the control step at `now`.
   void step(Nanoseconds now);
   void fill(msgs::ControllerState& state, Nanoseconds now) const;
@@ -25,7 +28,7 @@ class SwitchInput {
  private:
   void onOrder(const msgs::ActiveSubsystem::ConstPtr& message);
 
-  SubsystemSwitch& subsystems_;
+  SubsystemSwitch* subsystems_;
   SwitchSchedule orders_;
   int refused_subsystem_ = 0;
   std::string refusal_;

@@ -55,8 +55,10 @@ class Plant {
 
   /// Velocity of the air in W [m/s].
   void setWind(const Eigen::Vector3d& wind) noexcept { wind_ = wind; }
+  const Eigen::Vector3d& wind() const noexcept { return wind_; }
   /// A force in W [N] and a moment in B [N m] at the centre of mass, held until changed.
   void setDisturbance(const ForceMoment& disturbance) noexcept { disturbance_ = disturbance; }
+  const ForceMoment& disturbance() const noexcept { return disturbance_; }
 
   double mass() const noexcept { return mass_; }                            ///< total [kg]
   const Eigen::Vector3d& centreOfMass() const noexcept { return centre_; }  ///< in B [m]
