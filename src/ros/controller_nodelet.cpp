@@ -105,11 +105,17 @@ void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) 
                           dropped_odometry_);
     return;
   }
+  const bool again = state_ && time == odometry_time_;
   state_ = state;
   odometry_time_ = time;
   diagnostics_->heardOdometry();
   diagnostics_->monitor().countOdometry(time, toNanoseconds(ros::Time::now()));
-  if (!odometry_triggers_) return;
+  if (!odometry_triggers_) {
+    // A paused simulation repeats its odometry while its clock stands still: no timer fires then,
+    // and whoever is about to resume it waits for the state.
+    if (again && !flying_) step(time, toSeconds(period_));
+    return;
+  }
   // The same stamp again asks for the answer again (the simulator waits for it), not for a step:
   // unless nothing was flying, when a set point may have come in the meantime.
   const bool repeated = last_step_ && time == *last_step_ && flying_;
