@@ -10,18 +10,21 @@ fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
 
 common_packages=(build-essential cmake gnuplot-nox libboost-dev libcli11-dev libeigen3-dev
   libgtest-dev libyaml-cpp-dev nlohmann-json3-dev)
-test_packages=(clang-format libbenchmark-dev librapidcheck-dev)
+test_packages=(clang-format imagemagick libbenchmark-dev librapidcheck-dev xvfb)
 viewer_packages=()
 
 if [ -d /opt/ros/noetic ]; then
   noetic() { printf 'ros-noetic-%s\n' "$@"; }
-  mapfile -t ros_packages < <(noetic catkin geometry-msgs message-generation message-runtime \
-    nav-msgs nodelet pluginlib roscpp roslaunch rosmsg rospy rosservice rostopic rosgraph-msgs \
+  mapfile -t ros_packages < <(noetic catkin diagnostic-updater dynamic-reconfigure geometry-msgs \
+    interactive-markers message-generation message-runtime \
+    nav-msgs nodelet pluginlib rosbag roscpp roslaunch rosmsg rospy rosservice rostopic rosgraph-msgs \
     sensor-msgs std-msgs std-srvs tf2 tf2-geometry-msgs tf2-ros trajectory-msgs visualization-msgs rostest)
   test_packages+=(python3-catkin-lint)
   mapfile -t viewer_packages < <(noetic rviz)
 else
-  ros_packages=(catkin libgeometry-msgs-dev libnav-msgs-dev libnodeletlib-dev libnodeletlib-tools
+  ros_packages=(catkin libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev
+    libinteractive-markers-dev librosbag-dev python3-diagnostic-msgs python3-dynamic-reconfigure
+    python3-rosbag libgeometry-msgs-dev libnav-msgs-dev libnodeletlib-dev libnodeletlib-tools
     libros-rosgraph-msgs-dev libroscpp-dev librostest-dev libsensor-msgs-dev
     libtf2-geometry-msgs-dev libtf2-ros-dev libtrajectory-msgs-dev
     libvisualization-msgs-dev pluginlib-dev python3-geometry-msgs python3-nav-msgs

@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""Diagnostics change under real faults: a payload too heavy, a simulator that stands still."""
+import os
+import signal
+import sys
+import unittest
+from xmlrpc.client import ServerProxy
+
+import rosgraph
+import rospy
+import rostest
+from adaptive_quadrotor_control.srv import AttachPayload
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from geometry_msgs.msg import Vector3
+from uav import PACKAGE, Uav
+
+OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
+
+
+class Diagnostics(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('diagnostics_test')
+        cls.uav = Uav()
+        cls.found = {}
+        rospy.Subscriber('/diagnostics', DiagnosticArray, cls.take)
+        cls.uav.wait_until_ready()
+
+    @classmethod
+    def take(cls, message):
+        with cls.uav.changed:
+            for status in message.status:
+                if 'controller: ' in status.name:
+                    cls.found[status.name.split(': ')[1]] = status
+            cls.uav.changed.notify_all()
+
+    def expect(self, name, levels, words=''):
+        self.uav.wait('%s to be one of %s: %s; last: %s' % (name, levels, words, self.found),
+                      lambda: name in self.found and self.found[name].level in levels and
+                      words in self.found[name].message)
+
+    def test_1_all_is_well_at_hover(self):
+        self.uav.go(0, 0, 2.0)
+        self.uav.sleep(10.0)
+        for name in ('Control loop', 'Odometry', 'Set point', 'Rotors', 'Messages', 'Payload'):
+            self.expect(name, [OK])
+
+    def test_2_a_payload_that_is_too_heavy(self):
+        rospy.wait_for_service('/uav/plant/attach_payload', timeout=20)
+        attach = rospy.ServiceProxy('/uav/plant/attach_payload', AttachPayload)
+        self.assertTrue(attach(mass=2.3, size=Vector3(0.1, 0.1, 0.1),
+                               offset=Vector3(0, 0, -0.15)).success)
+        self.expect('Payload', [ERROR], 'kg lift')
+        self.expect('Rotors', [WARN, ERROR], 'at a limit')
+
+    def test_3_a_simulator_that_stands_still(self):
+        master = rosgraph.Master('/test')
+        _, _, pid = ServerProxy(master.lookupNode('/uav/plant')).getPid('/test')
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            self.expect('Odometry', [ERROR], 'flies blind')
+            self.expect('Control loop', [ERROR], 'stands still')
+        finally:
+            os.kill(pid, signal.SIGCONT)
+        self.expect('Odometry', [OK])
+
+
+if __name__ == '__main__':
+    rostest.rosrun(PACKAGE, 'diagnostics', Diagnostics, sys.argv)

@@ -1,0 +1,182 @@
+#!/usr/bin/python3
+"""What rviz is shown, what it sends back, the picture it makes, and a recording of it all."""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree as xml
+
+import rospkg
+import rospy
+import rostest
+from geometry_msgs.msg import PoseStamped
+from tf2_msgs.msg import TFMessage
+from uav import PACKAGE, Uav, executable
+from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray
+
+SHARE = rospkg.RosPack().get_path(PACKAGE)
+# Colours of the picture (red, green, blue) and how many pixels there must be at least.
+SEEN = {'payload': ((237, 133, 46), 40), 'flown path': ((38, 230, 46), 60),
+        'set point': ((89, 217, 255), 40), 'wall': ((90, 80, 70), 2000)}
+
+
+def numbers(marker):
+    for point in marker.points + [marker.pose.position, marker.scale]:
+        yield from (point.x, point.y, point.z)
+    for colour in marker.colors + [marker.color]:
+        yield from (colour.r, colour.g, colour.b, colour.a)
+
+
+class Display(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('display_test')
+        cls.uav = Uav()
+        cls.markers = {}
+        for topic in ('vehicle', 'paths'):
+            rospy.Subscriber('/uav/display/' + topic, MarkerArray, cls.take)
+        cls.transforms = {}
+        rospy.Subscriber('/tf', TFMessage, lambda message: cls.transforms.update(
+            {(t.header.frame_id, t.child_frame_id): t.transform for t in message.transforms}))
+        cls.feedback = rospy.Publisher('/uav/goal/feedback', InteractiveMarkerFeedback,
+                                       queue_size=1)
+        cls.nav_goal = rospy.Publisher('/uav/move_base_simple/goal', PoseStamped, queue_size=1)
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.bag = os.path.join(cls.folder.name, 'test.bag')
+        cls.recorder = subprocess.Popen(
+            ['roslaunch', PACKAGE, 'record.launch', 'bag:=' + cls.bag], stdout=subprocess.DEVNULL)
+        cls.uav.wait_until_ready()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.recorder.terminate()
+        cls.recorder.wait()
+        cls.folder.cleanup()
+
+    @classmethod
+    def take(cls, message):
+        with cls.uav.changed:
+            for marker in message.markers:
+                cls.markers[marker.ns, marker.id] = marker
+            cls.uav.changed.notify_all()
+
+    def shown(self, ns):
+        return [m for (name, _), m in self.markers.items() if name == ns and m.action == m.ADD]
+
+    def click(self, title):
+        """An entry of the goal's menu."""
+        init = rospy.wait_for_message('/uav/goal/update_full', InteractiveMarkerInit, 20)
+        entry = next(e for e in init.markers[0].menu_entries if e.title == title)
+        self.send(event_type=InteractiveMarkerFeedback.MENU_SELECT, menu_entry_id=entry.id)
+
+    def send(self, **fields):
+        self.uav.wait('the goal to listen', lambda: self.feedback.get_num_connections() > 0)
+        message = InteractiveMarkerFeedback(client_id='test', marker_name='goal', **fields)
+        message.header.frame_id = 'world'
+        self.feedback.publish(message)
+
+    def test_1_take_off_from_the_menu(self):
+        rospy.wait_for_message('/uav/goal/update_full', InteractiveMarkerInit, 20)
+        self.click('Take off')
+        self.uav.wait('the take-off', lambda: self.uav.state.flying and
+                      self.uav.state.desired_position.z == 1.0)
+        self.uav.sleep(6.0)
+        self.assertGreater(self.uav.state.position.z, 0.7)
+
+    def test_2_the_goal_is_dragged(self):
+        for x in (0.5, 1.0, 1.5):
+            message = PoseStamped().pose
+            message.position.x, message.position.y, message.position.z = x, -0.4, 1.3
+            message.orientation.w = 1.0
+            self.send(event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=message)
+            self.uav.wait('the drag', lambda: self.uav.state.desired_position.x == x)
+        self.assertEqual(self.uav.state.desired_position.z, 1.3)
+        self.uav.sleep(6.0)
+
+    def test_3_a_2d_goal_keeps_the_height(self):
+        self.uav.wait('the goal node', lambda: self.nav_goal.get_num_connections() > 0)
+        goal = PoseStamped()
+        goal.header.frame_id = 'world'
+        goal.pose.position.x, goal.pose.position.y = 5.0, -1.5
+        goal.pose.orientation.w = 1.0
+        self.nav_goal.publish(goal)
+        self.uav.wait('the goal', lambda: self.uav.state.desired_position.x == 5.0)
+        self.assertEqual(self.uav.state.desired_position.z, 1.3)
+        self.uav.sleep(8.0)
+
+    def test_4_payload_from_the_menu_and_everything_shown(self):
+        self.click('Attach 0.5 kg')
+        self.uav.wait('the payload', lambda: self.uav.status.payload_mass == 0.5)
+        self.uav.wait('all markers', lambda: all(self.shown(ns) for ns in (
+            'walls', 'cargo', 'payload', 'thrust', 'set_point', 'text', 'plumb', 'flown',
+            'reference')))
+        self.assertEqual(len(self.shown('thrust')), 4)
+        self.assertIn('asmc', self.shown('text')[0].text)
+        for marker in self.markers.values():
+            for number in numbers(marker):
+                self.assertTrue(math.isfinite(number), marker.ns)
+        for frames in (('world', 'base_link'), ('base_link', 'payload')):
+            self.assertTrue(math.isfinite(self.transforms[frames].translation.z), frames)
+
+    def test_5_the_vehicle_is_a_urdf(self):
+        robot = xml.fromstring(rospy.get_param('/uav/robot_description'))
+        self.assertEqual([link.get('name') for link in robot.findall('link')], ['base_link'])
+        visuals = robot.find('link').findall('visual')
+        self.assertGreater(len(visuals), 12)
+        for visual in visuals:
+            for number in visual.find('origin').get('xyz').split():
+                self.assertTrue(math.isfinite(float(number)))
+
+    def test_6_rviz_draws_it(self):
+        picture = rospy.get_param('~picture')
+        display = ':%d' % (60 + os.getpid() % 30)
+        environment = dict(os.environ, DISPLAY=display)
+        server = subprocess.Popen(['Xvfb', display, '-screen', '0', '1500x900x24'],
+                                  stderr=subprocess.DEVNULL)
+        rviz = None
+        try:
+            time.sleep(1.0)
+            rviz = subprocess.Popen(
+                ['rosrun', 'rviz', 'rviz', '-d', SHARE + '/config/view.rviz', '__ns:=uav'],
+                env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            missing, deadline = SEEN, time.time() + 40.0
+            while missing and time.time() < deadline:
+                time.sleep(1.0)
+                subprocess.run(['import', '-window', 'root', picture], env=environment, check=True)
+                missing = self.unseen(picture)
+            self.assertFalse(missing, 'not in ' + picture)
+        finally:
+            for process in filter(None, (rviz, server)):
+                process.terminate()
+                process.wait()
+
+    def unseen(self, picture):
+        """What there is too little of in a picture, with the number of its pixels."""
+        pixels = subprocess.run(['convert', picture, '-depth', '8', 'rgb:-'], check=True,
+                                stdout=subprocess.PIPE).stdout
+        missing = {}
+        for name, (colour, least) in SEEN.items():
+            count = sum(1 for i in range(0, len(pixels), 3)
+                        if all(abs(pixels[i + k] - colour[k]) < 25 for k in range(3)))
+            if count < least:
+                missing[name] = count
+        return missing
+
+    def test_7_a_recording_is_drawn(self):
+        self.click('Drop the payload')
+        self.uav.wait('the drop', lambda: self.uav.status.payload_mass == 0)
+        self.uav.sleep(2.0)
+        self.recorder.terminate()
+        self.recorder.wait(20)
+        subprocess.run([executable('plot_flight'), self.bag, '--out', self.folder.name], check=True,
+                       timeout=100)
+        for name in ('position', 'position_error', 'attitude_error', 'adaptation', 'rotors'):
+            size = os.path.getsize(os.path.join(self.folder.name, name + '.png'))
+            self.assertGreater(size, 5000, name)
+
+
+if __name__ == '__main__':
+    rostest.rosrun(PACKAGE, 'display', Display, sys.argv)

@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+"""Gains and laws changed in flight: by dynamic_reconfigure, and by rosparam and a reload."""
+import os
+import sys
+import unittest
+
+import rospkg
+import rospy
+import rostest
+import yaml
+from dynamic_reconfigure.client import Client
+from std_srvs.srv import Trigger
+from uav import PACKAGE, Uav
+
+GAINS = '/uav/controller/gains'
+CONFIG = os.path.join(rospkg.RosPack().get_path(PACKAGE), 'config', 'controller')
+AXES = {3: 'xyz', 4: ['z', 'roll', 'pitch', 'yaw']}
+
+
+def gains_of(law):
+    with open(os.path.join(CONFIG, law + '.yaml')) as file:
+        return yaml.safe_load(file)
+
+
+def leaves(tree, prefix=''):
+    """(names a number may have in dynamic_reconfigure, path of the number) of a tree of gains."""
+    entries = tree.items() if isinstance(tree, dict) else enumerate(tree)
+    for key, value in entries:
+        if isinstance(tree, dict):
+            names = [prefix + key]
+        elif isinstance(value, dict):
+            names = ['%s%d' % (prefix, key + 1)]
+        else:
+            axes = AXES.get(len(tree), range(len(tree)))
+            names = [prefix + str(key), prefix + str(axes[key])]
+        if isinstance(value, (dict, list)):
+            for found, path in leaves(value, names[0] + '_'):
+                yield found, [key] + path
+        elif not isinstance(value, str):
+            yield names, [key]
+
+
+def at(tree, path):
+    for key in path:
+        tree = tree[key]
+    return tree
+
+
+class Tuning(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node('tuning_test')
+        cls.uav = Uav()
+        cls.uav.wait_until_ready()
+        rospy.wait_for_service('/uav/controller/reload_parameters', timeout=20)
+        cls.reload = rospy.ServiceProxy('/uav/controller/reload_parameters', Trigger)
+        cls.uav.go(0, 0, 1.5)
+        cls.uav.sleep(15.0)
+
+    def change_law(self, law):
+        rospy.delete_param(GAINS)
+        rospy.set_param(GAINS, gains_of(law))
+        return self.reload()
+
+    def test_1_every_gain_is_reachable_both_ways(self):
+        client = Client('/uav/controller/tuning', timeout=20)
+        before = rospy.get_param(GAINS)
+        for names, path in leaves(before):
+            name = next((name for name in names if name in client.get_configuration()), None)
+            self.assertIsNotNone(name, names)
+            value = 1.001 * at(before, path)
+            self.assertEqual(client.update_configuration({name: value})[name], value)
+            self.assertEqual(at(rospy.get_param(GAINS), path), value, name)
+        rospy.set_param(GAINS, before)
+        response = self.reload()
+        self.assertTrue(response.success, response.message)
+        rospy.sleep(0.5)
+        for names, path in leaves(before):
+            name = next(name for name in names if name in client.get_configuration())
+            self.assertEqual(client.get_configuration()[name], at(before, path))
+        self.uav.sleep(5.0)
+        self.assertLess(self.uav.error(), 0.05)
+
+    def test_2_a_gain_works_as_soon_as_it_is_changed(self):
+        client = Client('/uav/controller/tuning', timeout=20)
+        sag = self.uav.state.position_error.z
+        client.update_configuration({'mass_estimate_leak': 1.0})
+        self.uav.sleep(15.0)
+        self.assertLess(self.uav.state.position_error.z, sag - 0.05)
+        rospy.set_param(GAINS + '/mass_estimate/leak', 0.1)
+        self.assertTrue(self.reload().success)
+        self.uav.sleep(15.0)
+        self.assertAlmostEqual(self.uav.state.position_error.z, sag, delta=0.02)
+
+    def test_3_a_wrong_set_is_refused_whole(self):
+        before = self.uav.state
+        rospy.set_param(GAINS + '/position/slope', [5.0, 5.0, 5.0])
+        rospy.set_param(GAINS + '/attitude/boundary_layer', -1.0)
+        response = self.reload()
+        self.assertFalse(response.success)
+        for word in ('nothing changed', GAINS + '/attitude/boundary_layer', '-1', '> 0'):
+            self.assertIn(word, response.message)
+        client = Client('/uav/controller/tuning', timeout=20)
+        self.assertEqual(client.get_configuration()['position_slope_x'], 1.2)
+        self.uav.sleep(2.0)
+        self.assertAlmostEqual(self.uav.state.thrust, before.thrust, delta=0.05)
+        rospy.set_param(GAINS, gains_of('asmc'))
+
+    def test_4_laws_take_over_without_a_drop(self):
+        for law in ('geometric', 'asmc', 'smc', 'asmc'):
+            before = self.uav.state
+            response = self.change_law(law)
+            self.assertTrue(response.success, response.message)
+            self.uav.wait('the new law', lambda: self.uav.state.controller == law)
+            self.uav.sleep(12.0)
+            since = [s for s in self.uav.states if s.header.stamp > before.header.stamp]
+            first = next(s for s in since if s.controller == law)
+            self.assertAlmostEqual(first.thrust, before.thrust, delta=0.25 * before.thrust)
+            self.assertGreater(min(s.position.z for s in since), before.position.z - 0.12, law)
+            self.assertLess(self.uav.error(), 0.12, law)
+
+    def test_5_no_law_takes_over_far_from_the_set_point(self):
+        self.uav.go(6, 0, 1.5)
+        response = self.change_law('geometric')
+        self.assertFalse(response.success)
+        self.assertIn("'geometric' cannot take over from 'asmc'", response.message)
+        self.assertIn('at most', response.message)
+        rospy.delete_param(GAINS)
+        rospy.set_param(GAINS, gains_of('asmc'))
+        self.uav.sleep(25.0)
+        self.assertEqual(self.uav.state.controller, 'asmc')
+        self.assertLess(self.uav.error(), 0.1)
+
+    def test_6_files_and_dynamic_reconfigure_name_the_same_gains(self):
+        for law in ('geometric', 'smc', 'switched'):
+            self.uav.sleep(15.0)
+            response = self.change_law(law)
+            self.assertTrue(response.success, response.message)
+            client = Client('/uav/controller/tuning', timeout=20)
+            known = client.get_configuration()
+            for names, path in leaves(gains_of(law)):
+                self.assertTrue(any(name in known for name in names), names)
+
+
+if __name__ == '__main__':
+    rostest.rosrun(PACKAGE, 'tuning', Tuning, sys.argv)
