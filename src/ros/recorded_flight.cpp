@@ -24,12 +24,12 @@ class Reader {
  public:
   void add(const rosbag::MessageInstance& message) {
     const std::string& topic = message.getTopic();
-    if (endsWith(topic, "/controller/state")) {
+    if (endsWith(topic, "controller/state")) {
       if (const auto state = message.instantiate<msgs::ControllerState>()) addState(*state);
-    } else if (endsWith(topic, "/plant/status")) {
+    } else if (endsWith(topic, "plant/status")) {
       const auto status = message.instantiate<msgs::PlantStatus>();
       if (status) truth_[toNanoseconds(status->header.stamp)] = status;
-    } else if (endsWith(topic, "/controller/parameters")) {
+    } else if (endsWith(topic, "controller/parameters")) {
       if (const auto text = message.instantiate<std_msgs::String>()) parameters_ = text->data;
     }
   }

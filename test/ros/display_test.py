@@ -19,8 +19,8 @@ from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerI
 
 SHARE = rospkg.RosPack().get_path(PACKAGE)
 # Colours of the picture (red, green, blue) and how many pixels there must be at least.
-SEEN = {'payload': ((237, 133, 46), 40), 'flown path': ((38, 230, 46), 60),
-        'set point': ((89, 217, 255), 40), 'wall': ((90, 80, 70), 2000)}
+SEEN = {'payload': ((150, 86, 24), 100), 'flown path': ((248, 4, 44), 60),
+        'wall': ((82, 74, 66), 2000), 'text': ((255, 255, 255), 400)}
 
 
 def numbers(marker):
