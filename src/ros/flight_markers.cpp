@@ -167,8 +167,8 @@ Markers textMarkers(const msgs::ControllerState& state, const msgs::PlantStatus*
   const bool calm = !state.saturated && (status == nullptr || !status->crashed);
   Marker m = marker(kWorldFrame, "text", 0, Marker::TEXT_VIEW_FACING,
                     calm ? colour(1.0, 1.0, 1.0) : colour(1.0, 0.45, 0.4));
-  m.pose.position = toPoint(toEigen(state.position) + Eigen::Vector3d(0.0, 0.0, 0.75));
-  m.scale.z = 0.16;
+  m.pose.position = toPoint(toEigen(state.position) + Eigen::Vector3d(0.0, 0.0, 0.8));
+  m.scale.z = 0.12;
   m.text = text;
   return {m};
 }

@@ -11,7 +11,7 @@ namespace {
 
 using visualization_msgs::InteractiveMarkerControl;
 
-constexpr double kSize = 1.2;   // [m]
+constexpr double kSize = 0.9;   // [m]
 constexpr double kBall = 0.11;  // [m]
 
 // A control acts along, around or across the x axis of its frame.
