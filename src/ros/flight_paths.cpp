@@ -28,7 +28,7 @@ void FlightTrail::add(const Eigen::Vector3d& position, double error) {
 }
 
 Marker FlightTrail::marker() const {
-  Marker line = lineMarker(kWorldFrame, "flown", 0, Marker::LINE_LIST, 0.035, colour(1, 1, 1));
+  Marker line = lineMarker(kWorldFrame, "flown", 0, Marker::LINE_LIST, 0.022, colour(1, 1, 1));
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const Point& from = points_[i - 1];
     const Point& to = points_[i];
