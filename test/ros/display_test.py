@@ -142,7 +142,7 @@ class Display(unittest.TestCase):
             rviz = subprocess.Popen(
                 ['rosrun', 'rviz', 'rviz', '-d', SHARE + '/config/view.rviz', '__ns:=uav'],
                 env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            missing, deadline = SEEN, time.time() + 40.0
+            missing, deadline = SEEN, time.time() + 90.0
             while missing and time.time() < deadline:
                 time.sleep(1.0)
                 subprocess.run(['import', '-window', 'root', picture], env=environment, check=True)

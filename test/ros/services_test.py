@@ -42,10 +42,9 @@ class Services(unittest.TestCase):
         response = self.box(0.5, at=at)
         self.assertTrue(response.success, response.message)
         self.uav.wait('the payload', lambda: self.uav.status.payload_mass == 0.5)
-        self.uav.sleep(1.0)
         first = next(s for s in self.uav.statuses if s.payload_mass > 0)
         self.assertAlmostEqual(first.header.stamp.to_sec(), at, delta=0.0041)
-        self.uav.sleep(20.0)
+        self.uav.wait('20 s with it', lambda: self.uav.now >= at + 20.0)
         self.assertLess(self.uav.error(), 0.1)
         self.assertAlmostEqual(self.uav.state.thrust, 2.5 * 9.81, delta=0.3)
 
