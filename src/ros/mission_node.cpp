@@ -186,6 +186,10 @@ FlightLog MissionNode::fly() {
   }
   const double wall_seconds = (ros::WallTime::now() - start).toSec();
   waitFor("the plant's last status", [&] { return truth_.rbegin()->first >= last; });
+  // In lock step the plant races on: what comes now would only fill the unlimited queues, which
+  // take minutes to clear once they hold a hundred thousand messages.
+  state_subscriber_.shutdown();
+  status_subscriber_.shutdown();
   progress.finish();
   return takeLog(wall_seconds);
 }
