@@ -39,7 +39,9 @@ void ClosedLoop::advance() {
   last_.disturbance = plant_.disturbance();
 
   switchSubsystem();
-  controller_.senseSpecificForce(plant_.plant().specificForce());
+  if (controller_.law().needsImu()) {
+    controller_.senseSpecificForce(plant_.plant().specificForce());
+  }
   const Allocation& allocation = controller_.step(last_.state, set_point, toSeconds(period_));
   plant_.advance(allocation.speeds, std::min(plant_.now() + period_, duration_));
 }

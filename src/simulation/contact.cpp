@@ -78,11 +78,10 @@ void Contact::forEachTouch(const Eigen::Vector3d& position, const Eigen::Matrix3
                            Visit visit) const noexcept {
   for (int i = 0; i < point_count_; ++i) {
     const Eigen::Vector3d& point = points_[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d place = position + rotation * point;
-    const Penetration ground = penetrationIntoGround(place);
-    if (ground_ && ground.depth > 0.0) visit(i, point, ground, false);
+    const double height = position.z() + rotation.row(2).dot(point);
+    if (ground_ && height < 0.0) visit(i, point, penetrationIntoGround(height), false);
     for (const Box& wall : walls_) {
-      const Penetration inside = penetrationInto(wall, place);
+      const Penetration inside = penetrationInto(wall, position + rotation * point);
       if (inside.depth > 0.0) visit(i, point, inside, true);
     }
   }

@@ -1,7 +1,5 @@
 #include "adaptive_quadrotor_control/simulation/plant.h"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -15,36 +13,44 @@ Eigen::Matrix3d pointInertia(double mass, const Eigen::Vector3d& arm) {
 
 }  // namespace
 
-// What RK4 integrates: motion of the centre of mass, or its change with time.
-struct Plant::Motion {
-  Plain3 position;
-  Plain3 velocity;
-  PlainQuaternion attitude;
-  Plain3 body_rate;
-
-  Motion after(double time, const Motion& slope) const {
-    return {position + time * slope.position,
-            velocity + time * slope.velocity,
-            {attitude.vector + time * slope.attitude.vector,
-             attitude.scalar + time * slope.attitude.scalar},
-            body_rate + time * slope.body_rate};
-  }
-  Motion operator+(const Motion& other) const {
-    return {position + other.position,
-            velocity + other.velocity,
-            {attitude.vector + other.attitude.vector, attitude.scalar + other.attitude.scalar},
-            body_rate + other.body_rate};
-  }
-};
-
 Plant::Plant(const Vehicle& vehicle, const State& start, std::vector<Box> walls, bool ground)
     : vehicle_(vehicle),
       empty_mass_(vehicle.mass),
       contact_(vehicle, std::move(walls), ground),
-      state_(start),
       speeds_(RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size()))) {
-  state_.attitude.normalize();
   updateMassProperties();
+  State unit = start;
+  unit.attitude.normalize();
+  setState(unit);
+}
+
+State Plant::stateOf(const Motion& motion) const noexcept {
+  const PlainRotation R(motion.attitude);
+  const Plain3 centre = Plain3::from(centre_);
+  State state;
+  state.position = (motion.position - R.toWorld(centre)).eigen();
+  state.velocity = (motion.velocity - R.toWorld(cross(motion.body_rate, centre))).eigen();
+  state.attitude = motion.attitude.eigen();
+  state.body_rate = motion.body_rate.eigen();
+  return state;
+}
+
+void Plant::setState(const State& state) noexcept {
+  motion_.attitude = PlainQuaternion::from(state.attitude);
+  motion_.body_rate = Plain3::from(state.body_rate);
+  const PlainRotation R(motion_.attitude);
+  const Plain3 centre = Plain3::from(centre_);
+  motion_.position = Plain3::from(state.position) + R.toWorld(centre);
+  motion_.velocity = Plain3::from(state.velocity) + R.toWorld(cross(motion_.body_rate, centre));
+}
+
+Eigen::Vector3d Plant::specificForce() const noexcept {
+  const Plain3 up = {Pair{0.0, 0.0}, kGravity};
+  const Plain3 felt = PlainRotation(felt_.attitude).toBody(felt_.acceleration + up);
+  const Plain3& rate = felt_.body_rate;
+  const Plain3& centre = felt_.centre;
+  return (felt - cross(felt_.angular_acceleration, centre) - cross(rate, cross(rate, centre)))
+      .eigen();
 }
 
 void Plant::updateMassProperties() {
@@ -58,19 +64,27 @@ void Plant::updateMassProperties() {
                 pointInertia(payload_->mass, payload_->offset - centre_);
   }
   inverse_mass_ = 1.0 / mass_;
+  centre_distance_ = centre_.norm();
   inverse_inertia_ = inertia_.inverse();
+  plain_inertia_ = Plain33::from(inertia_);
+  plain_inverse_inertia_ = Plain33::from(inverse_inertia_);
   for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
-    const Eigen::Vector2d arm = vehicle_.rotors[i].position() - centre_.head<2>();
-    hubs_[i] = {arm.x(), arm.y(), arm.squaredNorm(),
-                -vehicle_.rotors[i].direction * vehicle_.moment_constant};
+    const Rotor& rotor = vehicle_.rotors[i];
+    const Eigen::Vector2d arm = rotor.position() - centre_.head<2>();
+    const double yaw = -rotor.direction * vehicle_.moment_constant;
+    hubs_[i].arm = turned(Pair{arm.x(), arm.y()});
+    hubs_[i].tilting = -vehicle_.force_constant * hubs_[i].arm;
+    hubs_[i].about_z = Pair{vehicle_.force_constant * yaw, arm.squaredNorm()};
   }
+  lift_per_square_ = inverse_mass_ * vehicle_.force_constant;
   contact_.setPayload(payload_ ? &*payload_ : nullptr);
-  loads_ = rotorLoads(speeds_);
+  setDisturbance(disturbance_);
 }
 
 void Plant::attach(const Payload& payload, const Eigen::Vector3d& velocity) {
   if (payload_) throw std::logic_error("a payload is attached already; detach it first");
-  const Eigen::Vector3d where = state_.position + state_.attitude * payload.offset;
+  State state = this->state();
+  const Eigen::Vector3d where = state.position + state.attitude * payload.offset;
   const Eigen::Vector3d linear = linearMomentum() + payload.mass * velocity;
   const Eigen::Vector3d angular = angularMomentum(where);
   payload_ = payload;
@@ -78,22 +92,27 @@ void Plant::attach(const Payload& payload, const Eigen::Vector3d& velocity) {
 
   // Both bodies now move as one with the momentum they had; the payload's own has no moment about
   // where it is.
-  const Eigen::Vector3d lever = state_.attitude * (centre_ - payload.offset);
-  state_.body_rate =
-      inverse_inertia_ * (state_.attitude.conjugate() * (angular - lever.cross(linear)));
-  state_.velocity = linear / mass_ - state_.attitude * state_.body_rate.cross(centre_);
+  const Eigen::Vector3d lever = state.attitude * (centre_ - payload.offset);
+  state.body_rate =
+      inverse_inertia_ * (state.attitude.conjugate() * (angular - lever.cross(linear)));
+  state.velocity = linear / mass_ - state.attitude * state.body_rate.cross(centre_);
+  setState(state);
 }
 
 void Plant::detach() {
   if (!payload_) throw std::logic_error("no payload is attached");
+  const State state = this->state();
   payload_.reset();
   updateMassProperties();
+  setState(state);
 }
 
 void Plant::setBody(double mass, const Eigen::Matrix3d& inertia) {
+  const State state = this->state();
   vehicle_.mass = mass;
   vehicle_.inertia = inertia;
   updateMassProperties();
+  setState(state);
 }
 
 double Plant::payloadMass() const noexcept {
@@ -101,139 +120,12 @@ double Plant::payloadMass() const noexcept {
 }
 
 Eigen::Vector3d Plant::linearMomentum() const {
-  return mass_ * (state_.velocity + state_.attitude * state_.body_rate.cross(centre_));
+  return mass_ * motion_.velocity.eigen();
 }
 
 Eigen::Vector3d Plant::angularMomentum(const Eigen::Vector3d& point) const {
-  const Eigen::Vector3d arm = state_.position + state_.attitude * centre_ - point;
-  return state_.attitude * (inertia_ * state_.body_rate) + arm.cross(linearMomentum());
-}
-
-Plant::RotorLoads Plant::rotorLoads(const RotorArray& speeds) const noexcept {
-  RotorLoads loads = {};
-  for (Eigen::Index i = 0; i < speeds.size(); ++i) {
-    const Hub& hub = hubs_[static_cast<std::size_t>(i)];
-    const double speed = speeds[i];
-    const double thrust = vehicle_.force_constant * speed * speed;
-    loads.thrust += thrust;
-    loads.moment = loads.moment + thrust * Plain3{hub.y, -hub.x, hub.yaw};
-    loads.speed_sum += speed;
-    loads.speed_moment_x += hub.x * speed;
-    loads.speed_moment_y += hub.y * speed;
-    loads.speed_inertia += hub.distance_squared * speed;
-  }
-  return loads;
-}
-
-// Rotor drag -c_d |omega_i| v_i and rolling moment -c_r |omega_i| v_i act at every hub, where v_i
-// is the hub's velocity through the air across the rotor axis. Being linear in the motion, their
-// sum over the rotors needs only the sums in `rotors`.
-[[gnu::always_inline]] inline Plant::Motion Plant::derivative(
-    const Motion& motion, const RotorLoads& rotors) const noexcept {
-  const PlainRotation R(motion.attitude);  // of unit norm to rounding and RK4's order
-  const Plain3& rate = motion.body_rate;
-  const Plain3 air = R.toBody(motion.velocity - Plain3::from(wind_));
-  const double height = -centre_.z();  // of the rotors' plane above the centre of mass
-  // Velocity in the rotors' plane, above or below the centre of mass, without the spin's share.
-  const double base_x = air.x + rate.y * height;
-  const double base_y = air.y - rate.x * height;
-  const double flow_x = rotors.speed_sum * base_x - rate.z * rotors.speed_moment_y;
-  const double flow_y = rotors.speed_sum * base_y + rate.z * rotors.speed_moment_x;
-  const double turning = rotors.speed_moment_x * base_y - rotors.speed_moment_y * base_x +
-                         rate.z * rotors.speed_inertia;
-  const double drag = vehicle_.drag_coefficient;
-  const double rolling = vehicle_.rolling_moment_coefficient;
-
-  Plain3 force =
-      R.toWorld({-drag * flow_x, -drag * flow_y, rotors.thrust}) + Plain3::from(disturbance_.force);
-  Plain3 moment = rotors.moment + Plain3::from(disturbance_.moment) - cross(rate, inertia_ * rate) +
-                  Plain3{height * drag * flow_y - rolling * flow_x,
-                         -height * drag * flow_x - rolling * flow_y, -drag * turning};
-  if (near_contact_) {
-    const ForceMoment contact = contactForce(motion);
-    force = force + Plain3::from(contact.force);
-    moment = moment + Plain3::from(contact.moment);
-  }
-
-  Motion change;
-  change.position = motion.velocity;
-  change.velocity = inverse_mass_ * force - Plain3{0.0, 0.0, kGravity};
-  // Half the quaternion product of the attitude and (rate, 0).
-  const Plain3 half = 0.5 * rate;
-  change.attitude.vector = motion.attitude.scalar * half + cross(motion.attitude.vector, half);
-  change.attitude.scalar = -dot(motion.attitude.vector, half);
-  change.body_rate = inverse_inertia_ * moment;
-  return change;
-}
-
-[[gnu::noinline, gnu::cold]] ForceMoment Plant::contactForce(const Motion& motion) const noexcept {
-  const PlainRotation R(motion.attitude);
-  const Plain3 centre = Plain3::from(centre_);
-  const Plain3 position = motion.position - R.toWorld(centre);
-  const Plain3 velocity = motion.velocity - R.toWorld(cross(motion.body_rate, centre));
-  return contact_.force(position.eigen(), R.eigen(), velocity.eigen(), motion.body_rate.eigen(),
-                        centre_);
-}
-
-[[gnu::always_inline]] inline void Plant::setMotion(const Motion& motion) noexcept {
-  const PlainQuaternion& q = motion.attitude;
-  const double scale = 1.0 / std::sqrt(dot(q.vector, q.vector) + q.scalar * q.scalar);
-  const PlainQuaternion attitude = {scale * q.vector, scale * q.scalar};
-  const PlainRotation R(attitude);
-  const Plain3 centre = Plain3::from(centre_);
-  state_.position = (motion.position - R.toWorld(centre)).eigen();
-  state_.velocity = (motion.velocity - R.toWorld(cross(motion.body_rate, centre))).eigen();
-  state_.attitude =
-      Eigen::Quaterniond(attitude.scalar, attitude.vector.x, attitude.vector.y, attitude.vector.z);
-  state_.body_rate = motion.body_rate.eigen();
-}
-
-void Plant::step(const RotorArray& command, double dt) noexcept {
-  if (dt != step_) {  // a fixed step pays for the exponentials once
-    step_ = dt;
-    decay_up_ = std::exp(-0.5 * dt / vehicle_.time_constant_up);
-    decay_down_ = std::exp(-0.5 * dt / vehicle_.time_constant_down);
-  }
-  RotorArray half(speeds_.size());
-  for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
-    const bool usable = crash_ == Crash::kNone && i < command.size() && std::isfinite(command[i]);
-    const double target = usable ? std::clamp(command[i], 0.0, vehicle_.max_rotor_speed) : 0.0;
-    const double decay = target > speeds_[i] ? decay_up_ : decay_down_;
-    half[i] = target + (speeds_[i] - target) * decay;
-    speeds_[i] = target + (half[i] - target) * decay;
-  }
-  const RotorLoads loads_start = loads_;
-  const RotorLoads loads_half = rotorLoads(half);
-  loads_ = rotorLoads(speeds_);
-
-  const Plain3 centre = Plain3::from(centre_);
-  const PlainQuaternion attitude = PlainQuaternion::from(state_.attitude);
-  const PlainRotation R(attitude);
-  const Plain3 rate = Plain3::from(state_.body_rate);
-  const Motion start = {Plain3::from(state_.position) + R.toWorld(centre),
-                        Plain3::from(state_.velocity) + R.toWorld(cross(rate, centre)), attitude,
-                        rate};
-  const double speed = std::sqrt(dot(start.velocity, start.velocity));
-  near_contact_ = contact_.near(state_.position, 0.01 + 2.0 * dt * speed);
-
-  const Motion k1 = derivative(start, loads_start);
-  const Motion k2 = derivative(start.after(0.5 * dt, k1), loads_half);
-  const Motion k3 = derivative(start.after(0.5 * dt, k2), loads_half);
-  const Motion k4 = derivative(start.after(dt, k3), loads_);
-  const Motion middle = k2 + k3;
-  setMotion(start.after(dt / 6.0, k1 + middle + middle + k4));
-
-  specific_force_ = (R.toBody(k1.velocity + Plain3{0.0, 0.0, kGravity}) -
-                     cross(k1.body_rate, centre) - cross(rate, cross(rate, centre)))
-                        .eigen();
-
-  touching_ = false;
-  if (near_contact_) {
-    const Contact::Judgement judgement = contact_.judge(
-        state_.position, state_.attitude.toRotationMatrix(), state_.velocity, state_.body_rate);
-    touching_ = judgement.touching;
-    if (crash_ == Crash::kNone) crash_ = judgement.crash;
-  }
+  const Eigen::Vector3d spin = motion_.attitude.eigen() * (inertia_ * motion_.body_rate.eigen());
+  return spin + (motion_.position.eigen() - point).cross(linearMomentum());
 }
 
 }  // namespace aqc

@@ -40,7 +40,7 @@ class Flight {
   double lowest() const { return lowest_; }
   const Vehicle& vehicle() const { return vehicle_; }
   FlightController& controller() { return controller_; }
-  const State& state() const { return plant_.state(); }
+  State state() const { return plant_.state(); }
   const SetPoint& setPoint() const { return set_point_; }
 
  private:

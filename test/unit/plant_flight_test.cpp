@@ -61,6 +61,16 @@ TEST(Plant, KeepsItsVelocityWhenThrustEqualsWeight) {
   }
 }
 
+TEST(Plant, AttitudeStaysOfUnitNormInAFastSpin) {
+  State start = highUp();
+  start.body_rate = {60.0, -50.0, 40.0};  // 88 rad/s, 0.09 rad a step
+  Plant plant(test::pelican(), start);
+  for (int i = 0; i < 2000; ++i) {
+    plant.step(RotorArray::Zero(4), 1e-3);
+    ASSERT_NEAR(plant.state().attitude.norm(), 1.0, 1e-12) << "step " << i;
+  }
+}
+
 TEST(Plant, DriftsTowardsTheWindExponentially) {
   Vehicle vehicle = test::pelican();
   vehicle.inertia *= 1e12;  // holds its attitude

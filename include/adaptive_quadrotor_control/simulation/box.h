@@ -16,9 +16,9 @@ struct Penetration {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, in W
 };
 
-/// Into the ground, the half space z < 0.
-inline Penetration penetrationIntoGround(const Eigen::Vector3d& point) {
-  return {-point.z(), Eigen::Vector3d::UnitZ()};
+/// Of a point at that height [m] into the ground, the half space z < 0.
+inline Penetration penetrationIntoGround(double height) {
+  return {-height, Eigen::Vector3d::UnitZ()};
 }
 
 /// Into a box, through its nearest face.

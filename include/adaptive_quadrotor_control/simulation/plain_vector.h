@@ -5,73 +5,118 @@
 
 namespace aqc {
 
-/// Three numbers that stay in registers.
+/// x and y of a vector in one register (the vector extension of GCC and Clang); + - * / act element
+/// by element.
 ///
-/// The plant's step is one long chain of small products. Through Eigen's vectors it goes by way of
-/// memory, written entry by entry and read back in pairs, and every such read waits until the
-/// writes are through: that took half of the step.
-struct Plain3 {
-  double x, y, z;
+/// Everything in this file is for the plant's step, one long chain of small products. Through
+/// Eigen's vectors it goes by way of memory, written entry by entry and read back in pairs, and
+/// every such read waits until the writes are through: that took half of the step. Here it stays in
+/// registers, two instructions where single numbers would need three.
+using Pair = double __attribute__((vector_size(16)));
 
-  static Plain3 from(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
-  Eigen::Vector3d eigen() const { return {x, y, z}; }
+/// Turned by 90 degrees about z: e_z x v.
+inline Pair turned(Pair v) {
+  return Pair{-v[1], v[0]};
+}
+inline double dot(Pair a, Pair b) {
+  const Pair products = a * b;
+  return products[0] + products[1];
+}
+
+/// A vector that stays in registers.
+struct Plain3 {
+  Pair xy;
+  double z;
+
+  static Plain3 from(const Eigen::Vector3d& v) { return {Pair{v[0], v[1]}, v[2]}; }
+  Eigen::Vector3d eigen() const { return {xy[0], xy[1], z}; }
 };
 
 inline Plain3 operator+(const Plain3& a, const Plain3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
+  return {a.xy + b.xy, a.z + b.z};
 }
 inline Plain3 operator-(const Plain3& a, const Plain3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
+  return {a.xy - b.xy, a.z - b.z};
 }
 inline Plain3 operator*(double factor, const Plain3& v) {
-  return {factor * v.x, factor * v.y, factor * v.z};
-}
-inline double dot(const Plain3& a, const Plain3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return {factor * v.xy, factor * v.z};
 }
 inline Plain3 cross(const Plain3& a, const Plain3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {turned(a.z * b.xy - b.z * a.xy), dot(turned(a.xy), b.xy)};
 }
-inline Plain3 operator*(const Eigen::Matrix3d& A, const Plain3& v) {
-  return {A(0, 0) * v.x + A(0, 1) * v.y + A(0, 2) * v.z,
-          A(1, 0) * v.x + A(1, 1) * v.y + A(1, 2) * v.z,
-          A(2, 0) * v.x + A(2, 1) * v.y + A(2, 2) * v.z};
+
+/// A matrix, by columns.
+struct Plain33 {
+  Plain3 x, y, z;
+
+  static Plain33 from(const Eigen::Matrix3d& A) {
+    return {Plain3::from(A.col(0)), Plain3::from(A.col(1)), Plain3::from(A.col(2))};
+  }
+};
+
+inline Plain3 operator*(const Plain33& A, const Plain3& v) {
+  return v.xy[0] * A.x + v.xy[1] * A.y + v.z * A.z;
 }
 
 /// A quaternion, of unit norm where it stands for an attitude.
 struct PlainQuaternion {
-  Plain3 vector;
-  double scalar;
+  Pair xy, zw;
 
   static PlainQuaternion from(const Eigen::Quaterniond& q) {
-    return {{q.x(), q.y(), q.z()}, q.w()};
+    return {Pair{q.x(), q.y()}, Pair{q.z(), q.w()}};
   }
+  Eigen::Quaterniond eigen() const { return {zw[1], xy[0], xy[1], zw[0]}; }
 };
 
-/// The rotation matrix of a unit quaternion, as the three axes of B in W.
+inline PlainQuaternion operator+(const PlainQuaternion& a, const PlainQuaternion& b) {
+  return {a.xy + b.xy, a.zw + b.zw};
+}
+inline PlainQuaternion operator*(double factor, const PlainQuaternion& q) {
+  return {factor * q.xy, factor * q.zw};
+}
+/// The product of q and the quaternion (v, 0).
+inline PlainQuaternion operator*(const PlainQuaternion& q, const Plain3& v) {
+  const Plain3 vector = {q.xy, q.zw[0]};
+  const Plain3 product = q.zw[1] * v + cross(vector, v);
+  return {product.xy, Pair{product.z, -(dot(q.xy, v.xy) + vector.z * v.z)}};
+}
+
+/// The rotation matrix of a unit quaternion.
 struct PlainRotation {
-  Plain3 x, y, z;
+  Pair x, y, z;     // upper two rows: the horizontal parts of the axes of B, in W
+  Pair bottom;      // lowest row: the vertical parts of the first two axes ...
+  double bottom_z;  // ... and of the third
 
   explicit PlainRotation(const PlainQuaternion& q) {
-    const Plain3 twice = 2.0 * q.vector;
-    const Plain3 w = q.scalar * twice;
-    const double xx = q.vector.x * twice.x;
-    const double yy = q.vector.y * twice.y;
-    const double zz = q.vector.z * twice.z;
-    const double xy = q.vector.x * twice.y;
-    const double xz = q.vector.x * twice.z;
-    const double yz = q.vector.y * twice.z;
-    x = {1.0 - (yy + zz), xy + w.z, xz - w.y};
-    y = {xy - w.z, 1.0 - (xx + zz), yz + w.x};
-    z = {xz + w.y, yz - w.x, 1.0 - (xx + yy)};
+    const Pair twice = 2.0 * q.xy;
+    const double twice_z = 2.0 * q.zw[0];
+    const Pair squares = q.xy * twice;                          // 2 x x, 2 y y
+    const Pair diagonal = 1.0 - (squares + q.zw[0] * twice_z);  // of y, of x
+    const double xy = q.xy[0] * twice[1];
+    const double zw = twice_z * q.zw[1];
+    const Pair across = twice_z * q.xy;         // 2 x z, 2 y z
+    const Pair tilt = turned(q.zw[1] * twice);  // -2 y w, 2 x w
+    x = Pair{diagonal[1], xy + zw};
+    y = Pair{xy - zw, diagonal[0]};
+    z = across - tilt;
+    bottom = across + tilt;
+    bottom_z = 1.0 - (squares[0] + squares[1]);
   }
 
-  Plain3 toWorld(const Plain3& v) const { return v.x * x + v.y * y + v.z * z; }
-  Plain3 toBody(const Plain3& v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
-  Eigen::Matrix3d eigen() const {
-    Eigen::Matrix3d matrix;
-    matrix << x.eigen(), y.eigen(), z.eigen();
-    return matrix;
+  Plain3 axisZ() const { return {z, bottom_z}; }
+  /// (xy, 0) in W, plus an offset that is known before xy.
+  Plain3 toWorld(Pair xy, const Plain3& offset) const {
+    return {offset.xy + xy[0] * x + xy[1] * y, offset.z + dot(bottom, xy)};
+  }
+  Plain3 toWorld(const Plain3& v) const { return toWorld(v.xy, v.z * axisZ()); }
+  /// x and y in B of a vector of W, plus an offset.
+  Pair acrossBody(const Plain3& v, Pair offset) const {
+    const Pair along_x = x * v.xy;
+    const Pair along_y = y * v.xy;
+    return Pair{along_x[0], along_y[0]} + Pair{along_x[1], along_y[1]} + (v.z * bottom + offset);
+  }
+  Plain3 toBody(const Plain3& v) const {
+    return {acrossBody(v, Pair{0.0, 0.0}), dot(z, v.xy) + bottom_z * v.z};
   }
 };
 

@@ -32,10 +32,10 @@ class Plant {
   void step(const RotorArray& command, double dt) noexcept;
 
   /// Motion of the body frame B (base_link), not of the centre of mass.
-  const State& state() const noexcept { return state_; }
+  State state() const noexcept { return stateOf(motion_); }
   const RotorArray& rotorSpeeds() const noexcept { return speeds_; }
   /// What an accelerometer at the origin of B reads [m/s^2], in B, at the start of the last step.
-  const Eigen::Vector3d& specificForce() const noexcept { return specific_force_; }
+  Eigen::Vector3d specificForce() const noexcept;
   /// Whether anything touches the ground or a wall.
   bool touching() const noexcept { return touching_; }
   /// The first crash, or Crash::kNone.
@@ -54,10 +54,10 @@ class Plant {
   double payloadMass() const noexcept;
 
   /// Velocity of the air in W [m/s].
-  void setWind(const Eigen::Vector3d& wind) noexcept { wind_ = wind; }
-  const Eigen::Vector3d& wind() const noexcept { return wind_; }
+  void setWind(const Eigen::Vector3d& wind) noexcept { wind_ = Plain3::from(wind); }
+  Eigen::Vector3d wind() const noexcept { return wind_.eigen(); }
   /// A force in W [N] and a moment in B [N m] at the centre of mass, held until changed.
-  void setDisturbance(const ForceMoment& disturbance) noexcept { disturbance_ = disturbance; }
+  void setDisturbance(const ForceMoment& disturbance) noexcept;
   const ForceMoment& disturbance() const noexcept { return disturbance_; }
 
   double mass() const noexcept { return mass_; }                            ///< total [kg]
@@ -69,28 +69,47 @@ class Plant {
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& point) const;
 
  private:
-  // A rotor's place and sense of rotation.
+  // A rotor's part in RotorLoads.
   struct Hub {
-    double x, y;              // from the centre of mass, in B [m]
-    double distance_squared;  // from its vertical axis [m^2]
-    double yaw;               // moment / thrust [m]
+    Pair arm;      // e_z x r_i, where r_i is from the centre of mass, in B [m]
+    Pair tilting;  // roll and pitch moment / omega_i^2
+    Pair about_z;  // yaw moment / omega_i^2 and |r_i|^2
   };
-  // Everything the rotors' speeds alone decide, at one instant.
+  // Everything that does not depend on the motion, at one instant.
   struct RotorLoads {
-    double thrust;
-    Plain3 moment;          // about the centre of mass, in B
-    double speed_sum;       // sum |omega_i|
-    double speed_moment_x;  // sum |omega_i| r_i
-    double speed_moment_y;
-    double speed_inertia;  // sum |omega_i| |r_i|^2
+    Pair sums;     // sum omega_i^2 and sum |omega_i|
+    Pair arm;      // sum |omega_i| e_z x r_i
+    Pair tilting;  // roll and pitch moment of the thrusts and the disturbance about the centre
+    Pair about_z;  // their yaw moment and sum |omega_i| |r_i|^2
   };
-  struct Motion;
+  // What RK4 integrates: motion of the centre of mass, or its change with time. The state of B
+  // follows from it and is made only when asked for.
+  struct Motion {
+    Plain3 position;
+    Plain3 velocity;
+    PlainQuaternion attitude;
+    Plain3 body_rate;
+
+    Motion after(double time, const Motion& slope) const;
+    Motion operator+(const Motion& other) const;
+  };
+  // What an accelerometer feels at one instant.
+  struct Felt {
+    PlainQuaternion attitude;
+    Plain3 body_rate;
+    Plain3 acceleration;  // of the centre of mass
+    Plain3 angular_acceleration;
+    Plain3 centre;
+  };
 
   void updateMassProperties();
-  void setMotion(const Motion& motion) noexcept;
+  State stateOf(const Motion& motion) const noexcept;
+  void setState(const State& state) noexcept;
+  RotorArray turnRotors(const RotorArray& command, double dt) noexcept;
   RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
-  ForceMoment contactForce(const Motion& motion) const noexcept;
+  ForceMoment contactForce(Motion motion) const noexcept;
   Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
+  void judgeContact() noexcept;
 
   Vehicle vehicle_;
   double empty_mass_;  // of the vehicle at the start
@@ -98,23 +117,27 @@ class Plant {
   Contact contact_;
   double mass_;
   double inverse_mass_;
+  double lift_per_square_;  // acceleration by thrust / omega_i^2 [m]
   Eigen::Vector3d centre_;
+  double centre_distance_;  // from the origin of B [m]
   Eigen::Matrix3d inertia_;
   Eigen::Matrix3d inverse_inertia_;
+  Plain33 plain_inertia_;  // the same two, for the step
+  Plain33 plain_inverse_inertia_;
   std::array<Hub, kMaxRotors> hubs_;
 
-  State state_;
+  Motion motion_;
+  Felt felt_ = {{}, {}, {Pair{0.0, 0.0}, -kGravity}, {}, {}};  // at the start of the last step
   RotorArray speeds_;
   RotorLoads loads_;  // of speeds_
-  Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();
+  Plain3 wind_ = {};
   ForceMoment disturbance_;
+  Plain3 steady_acceleration_;  // gravity's and the disturbance's
   bool near_contact_ = true;
   bool touching_ = false;
   Crash crash_ = Crash::kNone;
-  double step_ = 0.0;        // of the decay factors [s]
-  double decay_up_ = 1.0;    // exp(-dt / (2 tau_up))
-  double decay_down_ = 1.0;  // exp(-dt / (2 tau_down))
+  double step_ = 0.0;                         // of the decay factors [s]
+  std::array<double, 2> decay_ = {1.0, 1.0};  // exp(-dt / (2 tau)), down and up
 };
 
 }  // namespace aqc

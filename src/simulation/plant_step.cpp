@@ -1,0 +1,140 @@
+// The plant's motion over one step; plant.cpp has what happens between steps.
+#include <algorithm>
+#include <cmath>
+
+#include "adaptive_quadrotor_control/simulation/plant.h"
+
+namespace aqc {
+namespace {
+
+// Normalises a quaternion whose norm an integration step has moved a little: one step of Newton's
+// method, which leaves 3/8 of the square of the norm's relative error, without root and division.
+PlainQuaternion nearlyUnit(const PlainQuaternion& q) {
+  return (1.5 - 0.5 * (dot(q.xy, q.xy) + dot(q.zw, q.zw))) * q;
+}
+
+}  // namespace
+
+inline Plant::Motion Plant::Motion::after(double time, const Motion& slope) const {
+  return {position + time * slope.position, velocity + time * slope.velocity,
+          attitude + time * slope.attitude, body_rate + time * slope.body_rate};
+}
+
+inline Plant::Motion Plant::Motion::operator+(const Motion& other) const {
+  return {position + other.position, velocity + other.velocity, attitude + other.attitude,
+          body_rate + other.body_rate};
+}
+
+[[gnu::always_inline]] inline Plant::RotorLoads Plant::rotorLoads(
+    const RotorArray& speeds) const noexcept {
+  RotorLoads loads = {};
+  loads.tilting = Plain3::from(disturbance_.moment).xy;
+  loads.about_z = Pair{disturbance_.moment.z(), 0.0};
+  for (Eigen::Index i = 0; i < speeds.size(); ++i) {
+    const Hub& hub = hubs_[static_cast<std::size_t>(i)];
+    const double speed = speeds[i];
+    const Pair square_and_speed = {speed * speed, speed};
+    loads.sums += square_and_speed;
+    loads.about_z += square_and_speed * hub.about_z;
+    loads.tilting += square_and_speed[0] * hub.tilting;
+    loads.arm += speed * hub.arm;
+  }
+  return loads;
+}
+
+void Plant::setDisturbance(const ForceMoment& disturbance) noexcept {
+  disturbance_ = disturbance;
+  steady_acceleration_ = inverse_mass_ * Plain3::from(disturbance.force);
+  steady_acceleration_.z -= kGravity;
+  loads_ = rotorLoads(speeds_);
+}
+
+// Rotor drag -c_d |omega_i| v_i and rolling moment -c_r |omega_i| v_i act at every hub, where v_i
+// is the hub's velocity through the air across the rotor axis. Being linear in the motion, their
+// sum over the rotors needs only the sums in `rotors`.
+[[gnu::always_inline]] inline Plant::Motion Plant::derivative(
+    const Motion& motion, const RotorLoads& rotors) const noexcept {
+  const PlainRotation R(motion.attitude);  // of unit norm to rounding and RK4's order
+  const Plain3& rate = motion.body_rate;
+  const double height = -centre_.z();  // of the rotors' plane above the centre of mass
+  // Velocity in the rotors' plane, above or below the centre of mass, without the spin's share.
+  const Pair hub_air = R.acrossBody(motion.velocity - wind_, -height * turned(rate.xy));
+  const Pair flow = rotors.sums[1] * hub_air + rate.z * rotors.arm;  // sum |omega_i| v_i
+  const double turning = dot(rotors.arm, hub_air) + rate.z * rotors.about_z[1];
+  const double drag = vehicle_.drag_coefficient;
+
+  Plain3 acceleration =
+      R.toWorld(-drag * inverse_mass_ * flow,
+                lift_per_square_ * rotors.sums[0] * R.axisZ() + steady_acceleration_);
+  Plain3 moment = Plain3{rotors.tilting, rotors.about_z[0]} - cross(rate, plain_inertia_ * rate);
+  moment.xy -= vehicle_.rolling_moment_coefficient * flow;
+  moment.xy -= drag * height * turned(flow);
+  moment.z -= drag * turning;
+  if (near_contact_) {
+    const ForceMoment contact = contactForce(motion);
+    acceleration = acceleration + inverse_mass_ * Plain3::from(contact.force);
+    moment = moment + Plain3::from(contact.moment);
+  }
+  return {motion.velocity, acceleration, motion.attitude * (0.5 * rate),
+          plain_inverse_inertia_ * moment};
+}
+
+[[gnu::noinline, gnu::cold]] ForceMoment Plant::contactForce(Motion motion) const noexcept {
+  const State state = stateOf(motion);
+  return contact_.force(state.position, state.attitude.toRotationMatrix(), state.velocity,
+                        state.body_rate, centre_);
+}
+
+// Turns the rotors over a step; returns their speeds halfway.
+[[gnu::always_inline]] inline RotorArray Plant::turnRotors(const RotorArray& command,
+                                                           double dt) noexcept {
+  if (dt != step_) {  // a fixed step pays for the exponentials once
+    step_ = dt;
+    decay_[1] = std::exp(-0.5 * dt / vehicle_.time_constant_up);
+    decay_[0] = std::exp(-0.5 * dt / vehicle_.time_constant_down);
+  }
+  RotorArray half(speeds_.size());
+  for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
+    const bool usable = crash_ == Crash::kNone && i < command.size() && std::isfinite(command[i]);
+    const double target = usable ? std::clamp(command[i], 0.0, vehicle_.max_rotor_speed) : 0.0;
+    const double decay = decay_[target > speeds_[i]];
+    half[i] = target + (speeds_[i] - target) * decay;
+    speeds_[i] = target + (half[i] - target) * decay;
+  }
+  return half;
+}
+
+void Plant::step(const RotorArray& command, double dt) noexcept {
+  const RotorArray speeds_half = turnRotors(command, dt);
+  const RotorLoads loads_start = loads_;
+  const RotorLoads loads_half = rotorLoads(speeds_half);
+  loads_ = rotorLoads(speeds_);
+
+  const Plain3& v = motion_.velocity;
+  const double speed_bound = std::abs(v.xy[0]) + std::abs(v.xy[1]) + std::abs(v.z);
+  near_contact_ =
+      contact_.near(motion_.position.eigen(), centre_distance_ + 0.01 + 2.0 * dt * speed_bound);
+
+  const Motion start = motion_;
+  const Motion k1 = derivative(start, loads_start);
+  const Motion k2 = derivative(start.after(0.5 * dt, k1), loads_half);
+  const Motion k3 = derivative(start.after(0.5 * dt, k2), loads_half);
+  const Motion k4 = derivative(start.after(dt, k3), loads_);
+  const Motion middle = k2 + k3;
+  felt_ = {start.attitude, start.body_rate, k1.velocity, k1.body_rate, Plain3::from(centre_)};
+  motion_ = start.after(dt / 6.0, k1 + middle + middle + k4);
+  motion_.attitude = nearlyUnit(motion_.attitude);
+
+  touching_ = false;
+  if (near_contact_) judgeContact();
+}
+
+[[gnu::noinline, gnu::cold]] void Plant::judgeContact() noexcept {
+  const State state = this->state();
+  const Contact::Judgement judgement = contact_.judge(
+      state.position, state.attitude.toRotationMatrix(), state.velocity, state.body_rate);
+  touching_ = judgement.touching;
+  if (crash_ == Crash::kNone) crash_ = judgement.crash;
+}
+
+}  // namespace aqc
