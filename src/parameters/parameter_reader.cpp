@@ -9,13 +9,6 @@
 namespace aqc {
 namespace {
 
-std::string print(double value) {
-  std::ostringstream out;
-  out.precision(12);
-  out << value;
-  return out.str();
-}
-
 std::string print(const YAML::Node& node) {
   if (node.IsScalar()) return "'" + node.Scalar() + "'";
   if (node.IsNull()) return "nothing";
@@ -53,14 +46,22 @@ void refuseUnknown(const YAML::Node& node, const std::string& name,
 
 }  // namespace
 
+std::string numberText(double value) {
+  constexpr int kDigits = 12;  // tells apart what a person would, without noise in the last places
+  std::ostringstream out;
+  out.precision(kDigits);
+  out << value;
+  return out.str();
+}
+
 bool Range::contains(double value) const {
   return std::isfinite(value) && value <= max && (exclusive_min ? value > min : value >= min);
 }
 
 std::string Range::text() const {
   std::string text = "a finite number";
-  if (std::isfinite(min)) text += (exclusive_min ? " > " : " >= ") + print(min);
-  if (std::isfinite(max)) text += (std::isfinite(min) ? " and <= " : " <= ") + print(max);
+  if (std::isfinite(min)) text += (exclusive_min ? " > " : " >= ") + numberText(min);
+  if (std::isfinite(max)) text += (std::isfinite(min) ? " and <= " : " <= ") + numberText(max);
   return text;
 }
 
@@ -79,8 +80,17 @@ std::string ParameterReader::fullName(const std::string& key) const {
   return name_.empty() ? key : name_ + "/" + key;
 }
 
+std::string ParameterReader::valueText(const std::string& key) const {
+  const YAML::Node node = find(key);
+  return node.IsDefined() ? print(node) : "nothing";
+}
+
 void ParameterReader::refuse(const std::string& key, const std::string& problem) const {
   throw ParameterError("parameter '" + fullName(key) + "' " + problem);
+}
+
+void ParameterReader::refuseValue(const std::string& key, const std::string& allowed) const {
+  refuse(key, "is " + valueText(key) + "; it must be " + allowed);
 }
 
 YAML::Node ParameterReader::find(const std::string& key) const {
@@ -119,7 +129,7 @@ double ParameterReader::number(const std::string& key, const Range& range, doubl
 
 int ParameterReader::integer(const std::string& key, int min, int max) const {
   const double value = number(key, Range::between(min, max));
-  if (value != std::floor(value)) refuse(key, "is " + print(value) + "; it must be a whole number");
+  if (value != std::floor(value)) refuseValue(key, "a whole number");
   return static_cast<int>(value);
 }
 
@@ -128,14 +138,14 @@ bool ParameterReader::flag(const std::string& key, bool fallback) const {
   const YAML::Node node = find(key);
   bool value = false;
   if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value)) {
-    refuse(key, "is " + print(node) + "; it must be true or false");
+    refuseValue(key, "true or false");
   }
   return value;
 }
 
 std::string ParameterReader::text(const std::string& key) const {
   const YAML::Node node = require(key, "a text");
-  if (!node.IsScalar()) refuse(key, "is " + print(node) + "; it must be a text");
+  if (!node.IsScalar()) refuseValue(key, "a text");
   return node.Scalar();
 }
 
@@ -149,7 +159,7 @@ std::string ParameterReader::choice(const std::string& key,
   for (const std::string& word : allowed) {
     if (value == word) return value;
   }
-  refuse(key, "is '" + value + "'; it must be one of " + join(allowed));
+  refuseValue(key, "one of " + join(allowed));
 }
 
 std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t size,
@@ -158,7 +168,7 @@ std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t
   const std::string what = "a list of " + count + ", each " + range.text();
   const YAML::Node node = require(key, what);
   if (!node.IsSequence() || (size != 0 && node.size() != size)) {
-    refuse(key, "is " + print(node) + "; it must be " + what);
+    refuseValue(key, what);
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < node.size(); ++i) {
@@ -169,10 +179,10 @@ std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t
 
 std::vector<std::string> ParameterReader::texts(const std::string& key) const {
   const YAML::Node node = require(key, "a list of texts");
-  if (!node.IsSequence()) refuse(key, "is " + print(node) + "; it must be a list of texts");
+  if (!node.IsSequence()) refuseValue(key, "a list of texts");
   std::vector<std::string> values;
   for (const auto& entry : node) {
-    if (!entry.IsScalar()) refuse(key, "is " + print(node) + "; it must be a list of texts");
+    if (!entry.IsScalar()) refuseValue(key, "a list of texts");
     values.push_back(entry.Scalar());
   }
   return values;
@@ -188,6 +198,18 @@ Eigen::Vector3d ParameterReader::vector3(const std::string& key, const Range& ra
   return has(key) ? vector3(key, range) : fallback;
 }
 
+void ParameterReader::requirePositiveDefinite(const std::string& key,
+                                              const Eigen::MatrixXd& symmetric) const {
+  const double smallest =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .minCoeff();
+  if (!(smallest > 0.0)) {
+    refuse(key, "is " + valueText(key) + ", whose smallest eigenvalue is " + numberText(smallest) +
+                    "; it must be positive definite (every eigenvalue > 0)");
+  }
+}
+
 Eigen::Matrix3d ParameterReader::positiveDefinite(const std::string& key) const {
   const std::vector<double> v = numbers(key, 0, Range::any());
   if (v.size() != 3 && v.size() != 6) {
@@ -200,12 +222,7 @@ Eigen::Matrix3d ParameterReader::positiveDefinite(const std::string& key) const 
     matrix(0, 2) = matrix(2, 0) = v[4];
     matrix(1, 2) = matrix(2, 1) = v[5];
   }
-  const double smallest =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvalues().minCoeff();
-  if (!(smallest > 0.0)) {
-    refuse(key, "has the smallest eigenvalue " + print(smallest) +
-                    "; it must be positive definite (every eigenvalue > 0)");
-  }
+  requirePositiveDefinite(key, matrix);
   return matrix;
 }
 
@@ -215,7 +232,7 @@ ParameterReader ParameterReader::child(const std::string& key) const {
 
 std::vector<ParameterReader> ParameterReader::children(const std::string& key) const {
   const YAML::Node node = require(key, "a list of maps");
-  if (!node.IsSequence()) refuse(key, "is " + print(node) + "; it must be a list of maps");
+  if (!node.IsSequence()) refuseValue(key, "a list of maps");
   std::vector<ParameterReader> readers;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const std::string name = fullName(key) + "[" + std::to_string(i) + "]";

@@ -156,6 +156,26 @@ TEST(ParameterReader, ReadsPositiveDefiniteMatrices) {
   expectRefusal([&] { reader.positiveDefinite("g"); }, {"'x/g'", "positive definite"});
 }
 
+TEST(ParameterReader, RefusesForItsCallers) {
+  const ParameterReader reader = readerOf("{a: 0.50, list: [1, 2], inner: {b: 1}}", "x");
+  expectRefusal([&] { reader.refuse("a", "is odd"); }, {"parameter 'x/a' is odd"});
+  expectRefusal([&] { reader.refuseValue("a", "> 1"); },
+                {"parameter 'x/a' is '0.50'; it must be > 1"});
+  expectRefusal([&] { reader.refuseValue("list", "longer"); }, {"'x/list' is [1, 2]; it must be"});
+  expectRefusal([&] { reader.child("inner").refuseValue("c", "there"); },
+                {"'x/inner/c' is nothing; it must be there"});
+  EXPECT_NO_THROW(reader.requirePositiveDefinite("list", Eigen::Matrix2d::Identity()));
+  expectRefusal([&] { reader.requirePositiveDefinite("list", -Eigen::Matrix2d::Identity()); },
+                {"'x/list' is [1, 2]", "eigenvalue is -1", "positive definite"});
+}
+
+TEST(ParameterReader, PrintsNumbersAsAPersonWould) {
+  EXPECT_EQ(numberText(0.1), "0.1");
+  EXPECT_EQ(numberText(1234567.891), "1234567.891");
+  EXPECT_EQ(numberText(-2.5e-7), "-2.5e-07");
+  EXPECT_EQ(numberText(0.1 + 0.2), "0.3") << "no noise";
+}
+
 class YamlFile : public ::testing::Test {
  protected:
   void TearDown() override { std::remove(path_.c_str()); }

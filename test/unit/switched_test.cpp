@@ -373,7 +373,7 @@ TEST(Switched, RefusesParametersByName) {
       {"leak", "[0.6, 0.6, 0.3, 0.6]", "switched/subsystems[1]/leak"},
       {"leak", "[0.6, 0.6, 0.3, 0.6]", "> varrho / 2 = 0.4"},
       {"leak", "[0.6, 0.6, 0.6]", "4 numbers"},
-      {"initial_zeta", "0.005", "is 0.005; it must be > 'zeta_drive' = 0.005"},
+      {"initial_zeta", "0.005", "is '0.005'; it must be > 'zeta_drive' = 0.005"},
       {"initial_gamma", "0.001", "subsystems[1]/initial_gamma"},
       {"initial_theta", "[1, 1, 0, 1]", "> 0"},
       {"zeta_drive", "0", "zeta_drive"},

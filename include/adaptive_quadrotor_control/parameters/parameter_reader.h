@@ -18,6 +18,9 @@ struct ParameterError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A number as error messages print it, to 12 digits.
+std::string numberText(double value);
+
 /// The numbers that a parameter may take. Not-a-number and infinities are never allowed.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
@@ -72,7 +75,14 @@ class ParameterReader {
 
   /// The full name of a key, as errors print it.
   std::string fullName(const std::string& key) const;
+  /// The value of a key, as errors print it: as the file has it, shortened when it is long.
+  std::string valueText(const std::string& key) const;
+  /// Throws "parameter '<full name>' <problem>". For what a getter cannot judge by itself.
   [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
+  /// Throws "parameter '<full name>' is <value>; it must be <allowed>".
+  [[noreturn]] void refuseValue(const std::string& key, const std::string& allowed) const;
+  /// Refuses `key` unless the symmetric matrix that was made of it is positive definite.
+  void requirePositiveDefinite(const std::string& key, const Eigen::MatrixXd& symmetric) const;
 
   /// Throws when the tree holds a name that no getter asked for, or one name twice. Call it on the
   /// outermost reader, after everything is read.
