@@ -7,10 +7,8 @@
 namespace aqc {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 std::vector<Rotor> readRotors(const ParameterReader& reader) {
-  const std::vector<double> angles = reader.numbers("angles_deg", 0, Range::between(-360.0, 360.0));
+  const std::vector<double> angles = reader.angles("angles_deg", Range::between(-360.0, 360.0));
   if (angles.size() < 4 || angles.size() > kMaxRotors) {
     reader.refuse("angles_deg", "lists " + std::to_string(angles.size()) +
                                     " rotors; it must list 4 to " + std::to_string(kMaxRotors));
@@ -23,7 +21,7 @@ std::vector<Rotor> readRotors(const ParameterReader& reader) {
     if (std::abs(directions[i]) != 1.0) {
       reader.refuse("directions", "must hold only 1 (counter-clockwise) and -1 (clockwise)");
     }
-    rotors.push_back({angles[i] * kDegree, arm_length, static_cast<int>(directions[i])});
+    rotors.push_back({angles[i], arm_length, static_cast<int>(directions[i])});
   }
   return rotors;
 }

@@ -9,6 +9,8 @@
 namespace aqc {
 namespace {
 
+constexpr double kDegree = M_PI / 180.0;  // [rad]
+
 std::string print(const YAML::Node& node) {
   if (node.IsScalar()) return "'" + node.Scalar() + "'";
   if (node.IsNull()) return "nothing";
@@ -175,6 +177,20 @@ std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t
     values.push_back(toNumber(node[i], fullName(key) + "[" + std::to_string(i) + "]", range));
   }
   return values;
+}
+
+double ParameterReader::angle(const std::string& key, const Range& degrees) const {
+  return number(key, degrees) * kDegree;
+}
+
+double ParameterReader::angle(const std::string& key, const Range& degrees, double fallback) const {
+  return has(key) ? angle(key, degrees) : fallback;
+}
+
+std::vector<double> ParameterReader::angles(const std::string& key, const Range& degrees) const {
+  std::vector<double> angles = numbers(key, 0, degrees);
+  for (double& angle : angles) angle *= kDegree;
+  return angles;
 }
 
 std::vector<std::string> ParameterReader::texts(const std::string& key) const {

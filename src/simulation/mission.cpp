@@ -12,10 +12,9 @@
 namespace aqc {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 const Range kTime = Range::between(0.0, 1e6);
 const Range kFrequency = Range::between(0.0, 1e3);
-const Range kAngle = Range::between(-3600.0, 3600.0);
+const Range kYaw = Range::between(-3600.0, 3600.0);  // [deg]
 
 std::string print(Nanoseconds time) {
   std::ostringstream out;
@@ -26,14 +25,14 @@ std::string print(Nanoseconds time) {
 Waypoint readWaypoint(const ParameterReader& point, double default_yaw) {
   Waypoint waypoint;
   waypoint.position = point.vector3("position", Range::any());
-  waypoint.yaw = point.number("yaw_deg", kAngle, default_yaw / kDegree) * kDegree;
+  waypoint.yaw = point.angle("yaw_deg", kYaw, default_yaw);
   return waypoint;
 }
 
 MotionLimits readLimits(const ParameterReader& reader) {
   return {reader.number("speed", Range::positiveUpTo(100.0)),
           reader.number("acceleration", Range::positiveUpTo(100.0)),
-          reader.number("tilt_deg", Range::positiveUpTo(80.0), 30.0) * kDegree,
+          reader.angle("tilt_deg", Range::positiveUpTo(80.0), M_PI / 6.0),
           reader.number("thrust_to_weight", Range{1.0, 10.0, true}, 1.5)};
 }
 
@@ -82,7 +81,7 @@ class MissionBuilder {
 
   void step(const ParameterReader& entry) {
     const Nanoseconds time = beginLeg(entry);
-    const double yaw = entry.number("yaw_deg", kAngle, present_.yaw / kDegree) * kDegree;
+    const double yaw = entry.angle("yaw_deg", kYaw, present_.yaw);
     present_ = SetPoint();
     present_.position = entry.vector3("position", Range::any());
     present_.yaw = yaw;
@@ -136,7 +135,7 @@ class MissionBuilder {
     const Eigen::Vector3d amplitude = entry.vector3("amplitude", Range::any());
     const double frequency = entry.number("angular_frequency", kFrequency);
     SetPoint point;
-    point.yaw = entry.number("yaw_deg", kAngle, present_.yaw / kDegree) * kDegree;
+    point.yaw = entry.angle("yaw_deg", kYaw, present_.yaw);
     for (Nanoseconds time = start; time < end; time += period_) {
       const double phase = frequency * toSeconds(time - start);
       point.position = middle + amplitude * std::sin(phase);

@@ -1,14 +1,13 @@
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 #include "adaptive_quadrotor_control/model/rotations.h"
 #include "adaptive_quadrotor_control/simulation/mission.h"
 
 namespace aqc {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 Nanoseconds readPeriod(const ParameterReader& reader, const std::string& key) {
   return fromSeconds(1.0 / reader.number(key, Range::between(1.0, 1e5)));
@@ -18,9 +17,9 @@ State readStart(const ParameterReader& reader) {
   State start;
   start.position = reader.vector3("position", Range::any());
   const Range tilt = Range::between(-89.0, 89.0);
-  const double roll = reader.number("roll_deg", tilt, 0.0) * kDegree;
-  const double pitch = reader.number("pitch_deg", tilt, 0.0) * kDegree;
-  start.attitude = yawRotation(reader.number("yaw_deg", Range::between(-360.0, 360.0)) * kDegree);
+  const double roll = reader.angle("roll_deg", tilt, 0.0);
+  const double pitch = reader.angle("pitch_deg", tilt, 0.0);
+  start.attitude = yawRotation(reader.angle("yaw_deg", Range::between(-360.0, 360.0)));
   if (roll != 0.0 || pitch != 0.0) {
     start.attitude = start.attitude * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
                      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());

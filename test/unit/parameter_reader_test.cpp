@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -154,6 +155,18 @@ TEST(ParameterReader, ReadsPositiveDefiniteMatrices) {
   expectRefusal([&] { reader.positiveDefinite("e"); }, {"'x/e'", "2 numbers", "[xx, yy, zz]"});
   expectRefusal([&] { reader.positiveDefinite("f"); }, {"'x/f[1]'", ".nan", "finite"});
   expectRefusal([&] { reader.positiveDefinite("g"); }, {"'x/g'", "positive definite"});
+}
+
+TEST(ParameterReader, TurnsDegreesIntoRadians) {
+  const ParameterReader reader = readerOf("{a_deg: 180, list_deg: [0, -90], b_deg: 91}", "x");
+  const Range range = Range::between(-180.0, 180.0);
+  EXPECT_EQ(reader.angle("a_deg", range), M_PI);
+  EXPECT_EQ(reader.angle("a_deg", range, 1.0), M_PI);
+  EXPECT_EQ(reader.angle("c_deg", range, 1.0), 1.0) << "the fallback is in radians";
+  EXPECT_EQ(reader.angles("list_deg", range), (std::vector<double>{0.0, -M_PI_2}));
+  expectRefusal([&] { reader.angle("b_deg", Range::positiveUpTo(90.0)); },
+                {"'x/b_deg'", "'91'", "<= 90"});
+  expectRefusal([&] { reader.angle("c_deg", range); }, {"'x/c_deg'", "missing"});
 }
 
 TEST(ParameterReader, RefusesForItsCallers) {

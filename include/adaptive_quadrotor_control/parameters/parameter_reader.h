@@ -59,6 +59,13 @@ class ParameterReader {
   std::string choice(const std::string& key, const std::vector<std::string>& allowed) const;
   /// `size` numbers, all in `range`; a size of 0 takes any count.
   std::vector<double> numbers(const std::string& key, std::size_t size, const Range& range) const;
+  /// An angle in radians. The tree holds it in degrees, within `degrees`, under a key that ends in
+  /// _deg.
+  double angle(const std::string& key, const Range& degrees) const;
+  /// `fallback` is in radians.
+  double angle(const std::string& key, const Range& degrees, double fallback) const;
+  /// A list of such angles, of any count.
+  std::vector<double> angles(const std::string& key, const Range& degrees) const;
   std::vector<std::string> texts(const std::string& key) const;
   Eigen::Vector3d vector3(const std::string& key, const Range& range) const;
   Eigen::Vector3d vector3(const std::string& key, const Range& range,
