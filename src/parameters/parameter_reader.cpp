@@ -17,7 +17,7 @@ std::string print(const YAML::Node& node) {
   YAML::Emitter out;
   out << YAML::Flow << node;
   const std::string text = out.c_str();
-  constexpr std::size_t kLongest = 60;
+  constexpr std::size_t kLongest = 120;  // a number for each of 16 rotors fits
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
 }
 
