@@ -8,8 +8,7 @@
 
 #include "adaptive_quadrotor_control/control/lyapunov.h"
 #include "adaptive_quadrotor_control/control/subsystem_switch.h"
-#include "adaptive_quadrotor_control/control/switched.h"
-#include "support/fixtures.h"
+#include "support/switched_laws.h"
 
 namespace aqc {
 namespace {
@@ -27,11 +26,6 @@ Eigen::Matrix2d companion(double k1, double k2) {
   Eigen::Matrix2d A;
   A << 0.0, 1.0, -k1, -k2;
   return A;
-}
-
-std::unique_ptr<Switched> thesisLaw() {
-  const ParameterReader reader(loadYamlFile(test::configFile("controller/switched")), "switched");
-  return std::make_unique<Switched>(reader, test::pelican());
 }
 
 TEST(Lyapunov, MatchesTheSolutionByHand) {
@@ -54,7 +48,7 @@ TEST(Lyapunov, RefusesWhatHasNoLyapunovFunction) {
 
 // The thesis prints 6.57 s, its parameters in its own definitions give 6.760 s.
 TEST(DwellTime, OfTheThesisParameters) {
-  const DwellTime bound = thesisLaw()->subsystems()->bound();
+  const DwellTime bound = test::makeLaw(test::thesisTree())->subsystems()->bound();
   EXPECT_NEAR(bound.mu, 298.0, 0.05);
   EXPECT_NEAR(bound.varrho, 0.93645, 5e-6);
   EXPECT_DOUBLE_EQ(bound.kappa, 0.9 * bound.varrho);
@@ -65,7 +59,7 @@ TEST(DwellTime, OfTheThesisParameters) {
 
 // Where the printed value comes from: lambda_min of subsystem 2 instead of the least of all three.
 TEST(DwellTime, PrintedValueUsesTheWrongSubsystem) {
-  const auto law = thesisLaw();
+  const auto law = test::makeLaw(test::thesisTree());
   const double p_min = law->law().subsystem(1).spectrum().p_min;
   double p_max = 0.0;
   for (const LyapunovSpectrum& spectrum : law->law().spectra()) {
