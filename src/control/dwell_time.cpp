@@ -84,8 +84,10 @@ void DwellTimeMonitor::record(Nanoseconds now) noexcept {
 
 void DwellTimeMonitor::adopt(const DwellTimeMonitor& old) noexcept {
   const double switches = static_cast<double>(old.fill_) / static_cast<double>(old.dwell_time_);
-  fill_ = std::min(
-      capacity_, static_cast<Nanoseconds>(std::ceil(switches * static_cast<double>(dwell_time_))));
+  const double fill = std::ceil(switches * static_cast<double>(dwell_time_));
+  // An overfilled old bucket may hold more than any whole number of nanoseconds can say here.
+  const bool fits = fill < static_cast<double>(capacity_);
+  fill_ = fits ? static_cast<Nanoseconds>(fill) : capacity_;
   last_ = old.last_;
 }
 

@@ -198,5 +198,15 @@ TEST(SubsystemSwitch, RefusesAnInitialSubsystemThatDoesNotExist) {
   EXPECT_THROW(SubsystemSwitch(0, 1, bound, monitor, policy), std::invalid_argument);
 }
 
+// The policy warn lets the bucket overfill without end, and the new dwell time may be far longer.
+TEST(DwellTimeMonitor, AdoptedFromAnOverfilledOneItIsFull) {
+  DwellTimeMonitor old(1'000'000, 1.0);
+  for (int i = 0; i < 100'000; ++i) old.record(0);
+  DwellTimeMonitor monitor(DwellTimeMonitor::kLongest, 1.0);
+  monitor.adopt(old);
+  EXPECT_FALSE(monitor.allows(0));
+  EXPECT_EQ(monitor.earliest(0), DwellTimeMonitor::kLongest);
+}
+
 }  // namespace
 }  // namespace aqc
