@@ -27,6 +27,15 @@ std::string join(const std::vector<std::string>& words) {
   return all;
 }
 
+// YAML allows lists and maps for keys, too.
+std::string keyText(const YAML::Node& key, const std::string& map) {
+  if (!key.IsScalar()) {
+    throw ParameterError("parameter '" + map + "' has the key " + print(key) +
+                         "; every key must be a text");
+  }
+  return key.Scalar();
+}
+
 // Names nobody asked for are nearly always typing mistakes, which would silently fly defaults.
 void refuseUnknown(const YAML::Node& node, const std::string& name,
                    const std::set<std::string>& known) {
@@ -38,7 +47,7 @@ void refuseUnknown(const YAML::Node& node, const std::string& name,
   if (!node.IsMap()) return;
   std::set<std::string> seen;
   for (const auto& entry : node) {
-    const auto key = entry.first.as<std::string>();
+    const std::string key = keyText(entry.first, name);
     const std::string full = name.empty() ? key : name + "/" + key;
     if (known.count(full) == 0) throw ParameterError("parameter '" + full + "' is unknown");
     if (!seen.insert(key).second) throw ParameterError("parameter '" + full + "' is given twice");
@@ -259,7 +268,7 @@ std::vector<ParameterReader> ParameterReader::children(const std::string& key) c
 
 std::vector<std::string> ParameterReader::keys() const {
   std::vector<std::string> keys;
-  for (const auto& entry : tree_) keys.push_back(entry.first.as<std::string>());
+  for (const auto& entry : tree_) keys.push_back(keyText(entry.first, name_));
   return keys;
 }
 
@@ -269,10 +278,9 @@ void ParameterReader::finish() const {
 
 YAML::Node loadYamlFile(const std::string& path) {
   std::ifstream file(path);
-  if (!file || file.peek() == std::ifstream::traits_type::eof()) {
-    const bool opened = static_cast<bool>(std::ifstream(path));
-    throw ParameterError("'" + path + "' " + (opened ? "is empty" : "cannot be read"));
-  }
+  file.peek();  // a folder opens, but cannot be read
+  if (!file.is_open() || file.bad()) throw ParameterError("'" + path + "' cannot be read");
+  if (file.eof()) throw ParameterError("'" + path + "' is empty");
   try {
     YAML::Node tree = YAML::Load(file);
     if (!tree.IsMap()) throw ParameterError("'" + path + "' must hold a map of names and values");

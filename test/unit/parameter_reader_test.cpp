@@ -139,6 +139,13 @@ TEST(ParameterReader, RefusesNamesGivenTwice) {
   expectRefusal([&] { reader.finish(); }, {"'x/a'", "twice"});
 }
 
+TEST(ParameterReader, RefusesKeysThatAreNoTexts) {
+  const ParameterReader reader = readerOf("{inner: {[1, 2]: 3}}", "x");
+  const ParameterReader inner = reader.child("inner");
+  expectRefusal([&] { reader.finish(); }, {"'x/inner'", "[1, 2]", "a text"});
+  expectRefusal([&] { inner.keys(); }, {"'x/inner'", "[1, 2]", "a text"});
+}
+
 TEST(ParameterReader, ReadsPositiveDefiniteMatrices) {
   const ParameterReader reader = readerOf(
       "{a: [1, 2, 3], b: [2, 2, 2, 1, 0, -1], c: [1, 1, 1, 2, 0, 0], d: [1, 0, 1],"
@@ -202,6 +209,8 @@ class YamlFile : public ::testing::Test {
 TEST_F(YamlFile, IsRefusedWhenItCannotBeRead) {
   expectRefusal([] { loadYamlFile("/nowhere/at/all.yaml"); },
                 {"'/nowhere/at/all.yaml'", "cannot be read"});
+  const std::string folder = ::testing::TempDir();
+  expectRefusal([&] { loadYamlFile(folder); }, {folder, "cannot be read"});
 }
 
 TEST_F(YamlFile, IsRefusedWhenItIsEmpty) {
