@@ -88,6 +88,7 @@ ParameterReader::ParameterReader(YAML::Node tree, std::string name, std::shared_
 }
 
 std::string ParameterReader::fullName(const std::string& key) const {
+  if (key.empty()) return name_;
   return name_.empty() ? key : name_ + "/" + key;
 }
 

@@ -80,7 +80,7 @@ class ParameterReader {
   /// The keys of this map in the file's order.
   std::vector<std::string> keys() const;
 
-  /// The full name of a key, as errors print it.
+  /// The full name of a key, as errors print it; of an empty one that of this map itself.
   std::string fullName(const std::string& key) const;
   /// The value of a key, as errors print it: as the file has it, shortened when it is long.
   std::string valueText(const std::string& key) const;
