@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace aqc {
@@ -56,14 +55,6 @@ void refuseUnknown(const YAML::Node& node, const std::string& name,
 }
 
 }  // namespace
-
-std::string numberText(double value) {
-  constexpr int kDigits = 12;  // tells apart what a person would, without noise in the last places
-  std::ostringstream out;
-  out.precision(kDigits);
-  out << value;
-  return out.str();
-}
 
 bool Range::contains(double value) const {
   return std::isfinite(value) && value <= max && (exclusive_min ? value > min : value >= min);

@@ -8,6 +8,7 @@
 
 #include "adaptive_quadrotor_control/control/lyapunov.h"
 #include "adaptive_quadrotor_control/control/subsystem_switch.h"
+#include "support/refusal.h"
 #include "support/switched_laws.h"
 
 namespace aqc {
@@ -73,7 +74,8 @@ TEST(DwellTime, RefusesWhatGivesNone) {
   const LyapunovSpectrum good{1.0, 2.0, 1.0};
   EXPECT_THROW(averageDwellTime({}, 0.9), std::invalid_argument);
   EXPECT_THROW(averageDwellTime({good}, 0.0), std::invalid_argument);
-  EXPECT_THROW(averageDwellTime({good}, 1.0), std::invalid_argument);
+  EXPECT_EQ(test::refusal([&] { averageDwellTime({good}, 1.0); }),
+            "kappa / varrho is 1; it must be > 0 and < 1");
   EXPECT_THROW(averageDwellTime({good, {0.0, 2.0, 1.0}}, 0.9), std::invalid_argument);
   EXPECT_THROW(averageDwellTime({{1.0, 2.0, NAN}}, 0.9), std::invalid_argument);
 }
@@ -87,10 +89,12 @@ TEST(DwellTime, TakesTheWorstOverAllSubsystems) {
 }
 
 TEST(DwellTimeMonitor, RefusesNumbersThatForbidEverySwitch) {
-  EXPECT_THROW(DwellTimeMonitor(10, 0.999), std::invalid_argument);
+  EXPECT_EQ(test::refusal([] { DwellTimeMonitor(10, 0.999); }),
+            "the chatter bound N_0 is 0.999; it must be >= 1 and <= 1000");
   EXPECT_THROW(DwellTimeMonitor(10, NAN), std::invalid_argument);
   EXPECT_THROW(DwellTimeMonitor(10, 1001.0), std::invalid_argument);
-  EXPECT_THROW(DwellTimeMonitor(0, 1.0), std::invalid_argument);
+  EXPECT_EQ(test::refusal([] { DwellTimeMonitor(0, 1.0); }),
+            "the dwell time is 0 ns; it must be >= 1 and <= 1000000000000000");
   EXPECT_NO_THROW(DwellTimeMonitor(1, 1.0));
 }
 
@@ -193,7 +197,8 @@ TEST(SubsystemSwitch, RefusesAnInitialSubsystemThatDoesNotExist) {
   const DwellTime bound = averageDwellTime({{1.0, 2.0, 1.0}}, 0.9);
   const DwellTimeMonitor monitor(1, 1.0);
   const auto policy = SubsystemSwitch::Policy::kRefuse;
-  EXPECT_THROW(SubsystemSwitch(3, 4, bound, monitor, policy), std::invalid_argument);
+  EXPECT_EQ(test::refusal([&] { SubsystemSwitch(3, 4, bound, monitor, policy); }),
+            "the initial subsystem is 4; it must be >= 1 and <= 3, the number of subsystems");
   EXPECT_THROW(SubsystemSwitch(3, 0, bound, monitor, policy), std::invalid_argument);
   EXPECT_THROW(SubsystemSwitch(0, 1, bound, monitor, policy), std::invalid_argument);
 }

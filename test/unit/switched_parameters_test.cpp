@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "support/refusal.h"
 #include "support/switched_laws.h"
 
@@ -58,6 +60,29 @@ TEST(Switched, RefusesParametersByName) {
     YAML::Node tree = thesisTree();
     expectRefused(tree, tree, bad);
   }
+}
+
+TEST(SwitchedLaw, RefusesWhatItsTheoremRulesOut) {
+  const SubsystemParameters good = makeLaw(test::plainTree())->law().subsystem(0).parameters();
+  const auto refusal = [](const SubsystemParameters& p, double boundary_layer = 0.5) {
+    return test::refusal<std::domain_error>([&] { SwitchedLaw({p}, boundary_layer); });
+  };
+  EXPECT_EQ(refusal(good), "");
+  EXPECT_EQ(refusal(good, 0.0), "the boundary layer is 0; it must be > 0");
+  SubsystemParameters bad = good;
+  bad.leak[2] = 0.25;
+  EXPECT_EQ(refusal(bad), "the least alpha is 0.25; it must be > 0.27639320225");
+  bad = good;
+  bad.initial_theta[1] = -0.5;
+  EXPECT_EQ(refusal(bad), "the least initial theta is -0.5; it must be > 0");
+  bad = good;
+  bad.zeta_drive = 0.0;
+  EXPECT_EQ(refusal(bad), "the drive of zeta is 0; it must be > 0");
+  bad = good;
+  bad.initial_gamma = bad.gamma_drive;
+  EXPECT_EQ(refusal(bad), "the initial gamma is 0.01; it must be > 0.01");
+  EXPECT_EQ(test::refusal<std::domain_error>([] { SwitchedLaw({}, 0.5); }),
+            "there must be a subsystem");
 }
 
 TEST(Switched, EnforcesMoreThanTheLeastDwellTime) {
