@@ -38,12 +38,16 @@ TEST(Lyapunov, MatchesTheSolutionByHand) {
 
 TEST(Lyapunov, RefusesWhatHasNoLyapunovFunction) {
   const Eigen::Matrix2d Q = Eigen::Matrix2d::Identity();
-  EXPECT_THROW(solveLyapunov(companion(1.0, 0.0), Q), std::domain_error);   // oscillates
-  EXPECT_THROW(solveLyapunov(companion(1.0, -1.0), Q), std::domain_error);  // diverges
-  EXPECT_THROW(solveLyapunov(companion(1.0, 1.0), -Q), std::domain_error);
+  const auto refusal = [](const Eigen::MatrixXd& A, const Eigen::MatrixXd& weight) {
+    return test::refusal<std::domain_error>([&] { solveLyapunov(A, weight); });
+  };
+  EXPECT_THROW(solveLyapunov(companion(1.0, 0.0), Q), std::domain_error);  // oscillates
+  EXPECT_EQ(refusal(companion(-2.0, -1.0), Q),                             // diverges
+            "A has an eigenvalue of real part 2; every one must be < 0");
+  EXPECT_EQ(refusal(companion(1.0, 1.0), -Q), "Q has the eigenvalue -1; every one must be > 0");
   Eigen::Matrix2d skew = Q;
   skew(0, 1) = 0.1;
-  EXPECT_THROW(solveLyapunov(companion(1.0, 1.0), skew), std::domain_error);
+  EXPECT_EQ(refusal(companion(1.0, 1.0), skew), "Q is not symmetric");
   EXPECT_THROW(solveLyapunov(companion(NAN, 1.0), Q), std::domain_error);
 }
 
