@@ -1,11 +1,9 @@
 #include "adaptive_quadrotor_control/control/cascaded_controller.h"
 
-#include <cmath>
-
 namespace aqc {
 
 CascadedController::CascadedController(const ParameterReader& reader)
-    : limits_{reader.number("max_tilt_deg", Range::positiveUpTo(89.0)) * M_PI / 180.0,
+    : limits_{reader.angle("max_tilt_deg", Range::positiveUpTo(89.0)),
               reader.number("min_lift", Range::positive())} {}
 
 Wrench CascadedController::update(const State& state, const SetPoint& set_point,

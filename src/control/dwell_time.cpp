@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "adaptive_quadrotor_control/parameters/number_text.h"
+
 namespace aqc {
 namespace {
 
@@ -39,7 +41,8 @@ DwellTime averageDwellTime(const std::vector<LyapunovSpectrum>& subsystems, doub
     throw std::invalid_argument("P and Q of every subsystem must be positive definite");
   }
   if (!(kappa_ratio > 0.0 && kappa_ratio < 1.0)) {
-    throw std::invalid_argument("kappa / varrho must be > 0 and < 1");
+    throw std::invalid_argument("kappa / varrho is " + numberText(kappa_ratio) +
+                                "; it must be > 0 and < 1");
   }
   double p_min = subsystems.front().p_min;
   double p_max = subsystems.front().p_max;
@@ -57,10 +60,12 @@ DwellTime averageDwellTime(const std::vector<LyapunovSpectrum>& subsystems, doub
 DwellTimeMonitor::DwellTimeMonitor(Nanoseconds dwell_time, double chatter_bound)
     : dwell_time_(dwell_time), chatter_bound_(chatter_bound), capacity_(0) {
   if (dwell_time < 1 || dwell_time > kLongest) {
-    throw std::invalid_argument("the dwell time must be 1 ns to eleven days");
+    throw std::invalid_argument("the dwell time is " + std::to_string(dwell_time) +
+                                " ns; it must be >= 1 and <= " + std::to_string(kLongest));
   }
   if (!(chatter_bound >= 1.0 && chatter_bound <= kMostChatter)) {
-    throw std::invalid_argument("the chatter bound N_0 must be >= 1 and <= 1000");
+    throw std::invalid_argument("the chatter bound N_0 is " + numberText(chatter_bound) +
+                                "; it must be >= 1 and <= " + numberText(kMostChatter));
   }
   // The whole part by itself, which keeps the rest of the product far below 2^53.
   const double whole = std::floor(chatter_bound);
@@ -84,8 +89,10 @@ void DwellTimeMonitor::record(Nanoseconds now) noexcept {
 
 void DwellTimeMonitor::adopt(const DwellTimeMonitor& old) noexcept {
   const double switches = static_cast<double>(old.fill_) / static_cast<double>(old.dwell_time_);
-  fill_ = std::min(
-      capacity_, static_cast<Nanoseconds>(std::ceil(switches * static_cast<double>(dwell_time_))));
+  const double fill = std::ceil(switches * static_cast<double>(dwell_time_));
+  // An overfilled old bucket may hold more than any whole number of nanoseconds can say here.
+  const bool fits = fill < static_cast<double>(capacity_);
+  fill_ = fits ? static_cast<Nanoseconds>(fill) : capacity_;
   last_ = old.last_;
 }
 

@@ -3,20 +3,34 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <stdexcept>
+#include <string>
+
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {
 namespace {
 
 constexpr double kTolerance = 1e-9;  // relative
 
-bool isHurwitz(const Eigen::MatrixXd& A) {
+void requireHurwitz(const Eigen::MatrixXd& A) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, /*computeEigenvectors=*/false);
-  return solver.info() == Eigen::Success && solver.eigenvalues().real().maxCoeff() < 0.0;
+  if (solver.info() != Eigen::Success) throw std::domain_error("A has no eigenvalues to be found");
+  const double largest = solver.eigenvalues().real().maxCoeff();
+  if (!(largest < 0.0)) {
+    throw std::domain_error("A has an eigenvalue of real part " + numberText(largest) +
+                            "; every one must be < 0");
+  }
 }
 
-bool isPositiveDefinite(const Eigen::MatrixXd& matrix) {
-  return (matrix - matrix.transpose()).norm() <= kTolerance * matrix.norm() &&
-         eigenvalueRange(matrix).min > 0.0;
+void requirePositiveDefinite(const char* name, const Eigen::MatrixXd& matrix) {
+  if (!((matrix - matrix.transpose()).norm() <= kTolerance * matrix.norm())) {
+    throw std::domain_error(std::string(name) + " is not symmetric");
+  }
+  const double smallest = eigenvalueRange(matrix).min;
+  if (!(smallest > 0.0)) {
+    throw std::domain_error(std::string(name) + " has the eigenvalue " + numberText(smallest) +
+                            "; every one must be > 0");
+  }
 }
 
 // The matrix of the linear map P -> A'P + P A on the columns of P one below the other.
@@ -44,18 +58,20 @@ Eigen::MatrixXd solveLyapunov(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q
   if (A.cols() != n || Q.rows() != n || Q.cols() != n || !A.allFinite() || !Q.allFinite()) {
     throw std::domain_error("A and Q must be square, of one size and finite");
   }
-  if (!isPositiveDefinite(Q)) throw std::domain_error("Q is not symmetric positive definite");
-  if (!isHurwitz(A)) throw std::domain_error("A is not Hurwitz");
+  requirePositiveDefinite("Q", Q);
+  requireHurwitz(A);
 
   const Eigen::VectorXd right = -Eigen::Map<const Eigen::VectorXd>(Q.data(), n * n);
   const Eigen::VectorXd solution = lyapunovOperator(A).fullPivLu().solve(right);
   const Eigen::MatrixXd raw = Eigen::Map<const Eigen::MatrixXd>(solution.data(), n, n);
   const Eigen::MatrixXd P = 0.5 * (raw + raw.transpose());
-  const double residual = (A.transpose() * P + P * A + Q).norm();
-  if (!(residual <= kTolerance * Q.norm())) {
-    throw std::domain_error("the Lyapunov equation is too badly scaled to be solved");
+  const double residual = (A.transpose() * P + P * A + Q).norm() / Q.norm();
+  if (!(residual <= kTolerance)) {
+    throw std::domain_error("the Lyapunov equation is too badly scaled: its residual is " +
+                            numberText(residual) +
+                            " of Q; it must be <= " + numberText(kTolerance));
   }
-  if (!isPositiveDefinite(P)) throw std::domain_error("P is not positive definite");
+  requirePositiveDefinite("P", P);
   return P;
 }
 

@@ -30,7 +30,9 @@ SubsystemSwitch::SubsystemSwitch(int count, int initial, const DwellTime& bound,
       monitor_(monitor),
       policy_(policy) {
   if (count < 1 || initial < 1 || initial > count) {
-    throw std::invalid_argument("the initial subsystem must be one of the subsystems");
+    throw std::invalid_argument("the initial subsystem is " + std::to_string(initial) +
+                                "; it must be >= 1 and <= " + std::to_string(count) +
+                                ", the number of subsystems");
   }
 }
 

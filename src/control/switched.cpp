@@ -12,7 +12,7 @@ namespace {
 constexpr int kValuesPerSubsystem = 6;
 static_assert(kMaxSubsystems * kValuesPerSubsystem + 2 <= kMaxAdaptive, "telemetry has no room");
 
-constexpr double kLeastCosine = 0.0871557427476582;  // cos(Switched::kSteepest)
+const double kLeastCosine = std::cos(Switched::kSteepest);
 
 SwitchedOutput idle() noexcept {
   return {Eigen::Vector4d::Zero(), 0.0, Eigen::Vector4d::Zero()};

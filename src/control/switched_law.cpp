@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "adaptive_quadrotor_control/control/lyapunov.h"
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {
 namespace {
@@ -24,17 +26,20 @@ Matrix8d errorDynamics(const SubsystemParameters& parameters) {
   return A;
 }
 
+void requireAbove(const char* what, double value, double least) {
+  if (value > least) return;
+  throw std::domain_error(std::string(what) + " is " + numberText(value) + "; it must be > " +
+                          numberText(least));
+}
+
+// Eqs. alpha and init.
 void check(const SubsystemParameters& p, const LyapunovSpectrum& spectrum) {
-  if (!(p.leak.minCoeff() > 0.5 * spectrum.decay())) {
-    throw std::domain_error("every alpha must exceed varrho / 2");
-  }
-  if (!(p.initial_theta.minCoeff() > 0.0)) throw std::domain_error("theta must start > 0");
-  if (!(p.zeta_drive > 0.0 && p.initial_zeta > p.zeta_drive)) {
-    throw std::domain_error("zeta must start above its drive, which must be > 0");
-  }
-  if (!(p.gamma_drive > 0.0 && p.initial_gamma > p.gamma_drive)) {
-    throw std::domain_error("gamma must start above its drive, which must be > 0");
-  }
+  requireAbove("the least alpha", p.leak.minCoeff(), 0.5 * spectrum.decay());
+  requireAbove("the least initial theta", p.initial_theta.minCoeff(), 0.0);
+  requireAbove("the drive of zeta", p.zeta_drive, 0.0);
+  requireAbove("the drive of gamma", p.gamma_drive, 0.0);
+  requireAbove("the initial zeta", p.initial_zeta, p.zeta_drive);
+  requireAbove("the initial gamma", p.initial_gamma, p.gamma_drive);
 }
 
 }  // namespace
@@ -98,7 +103,7 @@ void SwitchedSubsystem::reset() noexcept {
 SwitchedLaw::SwitchedLaw(const std::vector<SubsystemParameters>& subsystems, double boundary_layer)
     : boundary_layer_(boundary_layer) {
   if (subsystems.empty()) throw std::domain_error("there must be a subsystem");
-  if (!(boundary_layer > 0.0)) throw std::domain_error("the boundary layer must be > 0");
+  requireAbove("the boundary layer", boundary_layer, 0.0);
   for (const SubsystemParameters& parameters : subsystems) subsystems_.emplace_back(parameters);
 }
 

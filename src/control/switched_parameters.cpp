@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "adaptive_quadrotor_control/control/lyapunov.h"
 
 namespace aqc {
 namespace {
-
-std::string print(double value) {
-  std::ostringstream out;
-  out.precision(9);
-  out << value;
-  return out.str();
-}
 
 // Symmetric positive definite: the diagonal, or all numbers row by row.
 template <int Size>
@@ -36,12 +30,8 @@ Eigen::Matrix<double, Size, Size> readMatrix(const ParameterReader& reader,
   } else {
     matrix = Eigen::Map<const Matrix>(v.data());
   }
-  if (matrix != matrix.transpose()) reader.refuse(key, "must be symmetric");
-  const double smallest = eigenvalueRange(matrix).min;
-  if (!(smallest > 0.0)) {
-    reader.refuse(key, "has the smallest eigenvalue " + print(smallest) +
-                           "; it must be positive definite (every eigenvalue > 0)");
-  }
+  if (matrix != matrix.transpose()) reader.refuseValue(key, "symmetric");
+  reader.requirePositiveDefinite(key, matrix);
   return matrix;
 }
 
@@ -54,8 +44,7 @@ double readInitial(const ParameterReader& reader, const std::string& key, double
                    const std::string& drive_key) {
   const double initial = reader.number(key, Range::positive());
   if (!(initial > drive)) {
-    reader.refuse(key, "is " + print(initial) + "; it must be > '" + drive_key +
-                           "' = " + print(drive) + " (thesis eq. init)");
+    reader.refuseValue(key, "> '" + drive_key + "' = " + numberText(drive) + " (thesis eq. init)");
   }
   return initial;
 }
@@ -63,11 +52,10 @@ double readInitial(const ParameterReader& reader, const std::string& key, double
 // Eq. alpha. P and varrho are known only now.
 void checkLeak(const ParameterReader& reader, const SubsystemParameters& parameters,
                double varrho) {
-  const double least = parameters.leak.minCoeff();
-  if (!(least > 0.5 * varrho)) {
-    reader.refuse("leak", "holds " + print(least) +
-                              "; every leak must be > varrho / 2 = " + print(0.5 * varrho) +
-                              ", where varrho = lambda_min(Q) / lambda_max(P) (thesis eq. alpha)");
+  if (!(parameters.leak.minCoeff() > 0.5 * varrho)) {
+    reader.refuseValue("leak",
+                       "> varrho / 2 = " + numberText(0.5 * varrho) +
+                           " in every entry; varrho = lambda_min(Q) / lambda_max(P) (eq. alpha)");
   }
 }
 
@@ -96,14 +84,14 @@ SubsystemParameters readSubsystem(const ParameterReader& reader) {
 Nanoseconds readDwellTime(const ParameterReader& reader, const DwellTime& bound) {
   const double longest = toSeconds(DwellTimeMonitor::kLongest);
   if (!(bound.least < longest)) {
-    reader.refuse("subsystems", "ask for " + bound.text() + "; it must be < " + print(longest));
+    reader.refuse("subsystems",
+                  "ask for " + bound.text() + "; it must be < " + numberText(longest) + " s");
   }
   const auto shortest = static_cast<Nanoseconds>(std::floor(bound.least * 1e9)) + 1;
   if (!reader.has("dwell_time")) return shortest;
   const double seconds = reader.number("dwell_time", Range::positiveUpTo(longest));
   if (!(seconds > bound.least)) {
-    reader.refuse("dwell_time", "is " + print(seconds) + "; it must be > theta* (" + bound.text() +
-                                    ", thesis eq. sw_law)");
+    reader.refuseValue("dwell_time", "> theta* (" + bound.text() + ", thesis eq. sw_law)");
   }
   return std::max(shortest, fromSeconds(seconds));
 }
@@ -124,8 +112,7 @@ SwitchedLaw readSwitchedLaw(const ParameterReader& reader, int most) {
 SubsystemSwitch readSubsystemSwitch(const ParameterReader& reader, const SwitchedLaw& law) {
   const double kappa_ratio = reader.number("kappa_ratio", Range::positive(), 0.9);
   if (!(kappa_ratio < 1.0)) {
-    reader.refuse("kappa_ratio",
-                  "is " + print(kappa_ratio) + "; it must be > 0 and < 1 (thesis: kappa < varrho)");
+    reader.refuseValue("kappa_ratio", "> 0 and < 1 (thesis: kappa < varrho)");
   }
   const DwellTime bound = averageDwellTime(law.spectra(), kappa_ratio);
   const Nanoseconds dwell_time = readDwellTime(reader, bound);

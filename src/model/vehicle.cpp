@@ -7,23 +7,20 @@
 namespace aqc {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 std::vector<Rotor> readRotors(const ParameterReader& reader) {
-  const std::vector<double> angles = reader.numbers("angles_deg", 0, Range::between(-360.0, 360.0));
+  const std::vector<double> angles = reader.angles("angles_deg", Range::between(-360.0, 360.0));
   if (angles.size() < 4 || angles.size() > kMaxRotors) {
     reader.refuse("angles_deg", "lists " + std::to_string(angles.size()) +
                                     " rotors; it must list 4 to " + std::to_string(kMaxRotors));
   }
-  const std::vector<double> directions =
-      reader.numbers("directions", angles.size(), Range::between(-1.0, 1.0));
+  const std::vector<double> directions = reader.numbers("directions", angles.size(), Range::any());
   const double arm_length = reader.number("arm_length", Range::positiveUpTo(10.0));
   std::vector<Rotor> rotors;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     if (std::abs(directions[i]) != 1.0) {
-      reader.refuse("directions", "must hold only 1 (counter-clockwise) and -1 (clockwise)");
+      reader.refuseValue("directions", "a list of 1 (counter-clockwise) and -1 (clockwise)");
     }
-    rotors.push_back({angles[i] * kDegree, arm_length, static_cast<int>(directions[i])});
+    rotors.push_back({angles[i], arm_length, static_cast<int>(directions[i])});
   }
   return rotors;
 }
@@ -32,11 +29,15 @@ std::vector<Rotor> readRotors(const ParameterReader& reader) {
 // 21 %), so only what must be a typing mistake is refused.
 void checkInertia(const ParameterReader& reader, const Eigen::Matrix3d& inertia) {
   constexpr double kTolerated = 1.5;
-  const Eigen::Vector3d d = inertia.diagonal();
-  const double largest = d.maxCoeff();
-  if (largest > kTolerated * (d.sum() - largest)) {
-    reader.refuse("inertia",
-                  "cannot belong to a rigid body: one moment far exceeds the other two together");
+  const Eigen::Vector3d moments = inertia.diagonal();
+  const double largest = moments.maxCoeff();
+  const double others = moments.sum() - largest;
+  if (largest > kTolerated * others) {
+    reader.refuseValue("inertia",
+                       "a rigid body's, where no moment exceeds the other two together; the "
+                       "largest is " +
+                           numberText(largest / others) + " times these (up to " +
+                           numberText(kTolerated) + " is let pass)");
   }
 }
 
@@ -73,8 +74,9 @@ Vehicle readVehicle(const ParameterReader& reader) {
   vehicle.gear_radius = gear.number("radius", Range::positive());
 
   if (!RotorAllocation(vehicle).wellPosed()) {
-    rotors.refuse("angles_deg",
-                  "and 'directions' cannot give thrust, roll, pitch and yaw independently");
+    rotors.refuseValue("angles_deg", "such that, with the 'directions' " +
+                                         rotors.valueText("directions") +
+                                         ", thrust, roll, pitch and yaw are independent");
   }
   return vehicle;
 }

@@ -70,13 +70,14 @@ class Visuals {
   int count_ = 0;
 };
 
-// As large as fits between the nearest two hubs.
+// As large as fits between the nearest two hubs. Those of coaxial rotors coincide and do not count.
 double discRadius(const Vehicle& vehicle) {
   double nearest = 2.0 * vehicle.rotors.front().arm_length;
+  const double coaxial = 1e-6 * nearest;
   for (std::size_t i = 0; i < vehicle.rotors.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const Eigen::Vector2d between = vehicle.rotors[i].position() - vehicle.rotors[j].position();
-      nearest = std::min(nearest, between.norm());
+      const double distance = (vehicle.rotors[i].position() - vehicle.rotors[j].position()).norm();
+      if (distance > coaxial) nearest = std::min(nearest, distance);
     }
   }
   return kDiscShare * nearest;
@@ -116,7 +117,8 @@ std::string vehicleUrdf(const Vehicle& vehicle) {
   visuals.cylinder(Eigen::Vector3d::Zero(), kBodyRadius * l, kBodyHeight * l, kCarbon);
   visuals.box({kBodyRadius * l, 0.0, 0.5 * kBodyHeight * l}, 0.0,
               {0.35 * l, 0.14 * l, 0.5 * kBodyHeight * l}, kNose);
-  for (const Rotor& rotor : vehicle.rotors) addRotor(visuals, rotor, discRadius(vehicle));
+  const double radius = discRadius(vehicle);
+  for (const Rotor& rotor : vehicle.rotors) addRotor(visuals, rotor, radius);
   addGear(visuals, vehicle);
   return "<?xml version=\"1.0\"?>\n<robot name=\"" + escaped(vehicle.name) +
          "\">\n  <link name=\"base_link\">\n" + visuals.text() + "  </link>\n</robot>\n";

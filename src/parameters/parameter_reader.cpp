@@ -3,18 +3,12 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 namespace aqc {
 namespace {
 
-std::string print(double value) {
-  std::ostringstream out;
-  out.precision(12);
-  out << value;
-  return out.str();
-}
+constexpr double kDegree = M_PI / 180.0;  // [rad]
 
 std::string print(const YAML::Node& node) {
   if (node.IsScalar()) return "'" + node.Scalar() + "'";
@@ -22,7 +16,7 @@ std::string print(const YAML::Node& node) {
   YAML::Emitter out;
   out << YAML::Flow << node;
   const std::string text = out.c_str();
-  constexpr std::size_t kLongest = 60;
+  constexpr std::size_t kLongest = 120;  // a number for each of 16 rotors fits
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
 }
 
@@ -30,6 +24,15 @@ std::string join(const std::vector<std::string>& words) {
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
   return all;
+}
+
+// YAML allows lists and maps for keys, too.
+std::string keyText(const YAML::Node& key, const std::string& map) {
+  if (!key.IsScalar()) {
+    throw ParameterError("parameter '" + map + "' has the key " + print(key) +
+                         "; every key must be a text");
+  }
+  return key.Scalar();
 }
 
 // Names nobody asked for are nearly always typing mistakes, which would silently fly defaults.
@@ -43,7 +46,7 @@ void refuseUnknown(const YAML::Node& node, const std::string& name,
   if (!node.IsMap()) return;
   std::set<std::string> seen;
   for (const auto& entry : node) {
-    const auto key = entry.first.as<std::string>();
+    const std::string key = keyText(entry.first, name);
     const std::string full = name.empty() ? key : name + "/" + key;
     if (known.count(full) == 0) throw ParameterError("parameter '" + full + "' is unknown");
     if (!seen.insert(key).second) throw ParameterError("parameter '" + full + "' is given twice");
@@ -59,8 +62,8 @@ bool Range::contains(double value) const {
 
 std::string Range::text() const {
   std::string text = "a finite number";
-  if (std::isfinite(min)) text += (exclusive_min ? " > " : " >= ") + print(min);
-  if (std::isfinite(max)) text += (std::isfinite(min) ? " and <= " : " <= ") + print(max);
+  if (std::isfinite(min)) text += (exclusive_min ? " > " : " >= ") + numberText(min);
+  if (std::isfinite(max)) text += (std::isfinite(min) ? " and <= " : " <= ") + numberText(max);
   return text;
 }
 
@@ -76,11 +79,21 @@ ParameterReader::ParameterReader(YAML::Node tree, std::string name, std::shared_
 }
 
 std::string ParameterReader::fullName(const std::string& key) const {
+  if (key.empty()) return name_;
   return name_.empty() ? key : name_ + "/" + key;
+}
+
+std::string ParameterReader::valueText(const std::string& key) const {
+  const YAML::Node node = find(key);
+  return node.IsDefined() ? print(node) : "nothing";
 }
 
 void ParameterReader::refuse(const std::string& key, const std::string& problem) const {
   throw ParameterError("parameter '" + fullName(key) + "' " + problem);
+}
+
+void ParameterReader::refuseValue(const std::string& key, const std::string& allowed) const {
+  refuse(key, "is " + valueText(key) + "; it must be " + allowed);
 }
 
 YAML::Node ParameterReader::find(const std::string& key) const {
@@ -119,7 +132,7 @@ double ParameterReader::number(const std::string& key, const Range& range, doubl
 
 int ParameterReader::integer(const std::string& key, int min, int max) const {
   const double value = number(key, Range::between(min, max));
-  if (value != std::floor(value)) refuse(key, "is " + print(value) + "; it must be a whole number");
+  if (value != std::floor(value)) refuseValue(key, "a whole number");
   return static_cast<int>(value);
 }
 
@@ -128,14 +141,14 @@ bool ParameterReader::flag(const std::string& key, bool fallback) const {
   const YAML::Node node = find(key);
   bool value = false;
   if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value)) {
-    refuse(key, "is " + print(node) + "; it must be true or false");
+    refuseValue(key, "true or false");
   }
   return value;
 }
 
 std::string ParameterReader::text(const std::string& key) const {
   const YAML::Node node = require(key, "a text");
-  if (!node.IsScalar()) refuse(key, "is " + print(node) + "; it must be a text");
+  if (!node.IsScalar()) refuseValue(key, "a text");
   return node.Scalar();
 }
 
@@ -149,7 +162,7 @@ std::string ParameterReader::choice(const std::string& key,
   for (const std::string& word : allowed) {
     if (value == word) return value;
   }
-  refuse(key, "is '" + value + "'; it must be one of " + join(allowed));
+  refuseValue(key, "one of " + join(allowed));
 }
 
 std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t size,
@@ -158,7 +171,7 @@ std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t
   const std::string what = "a list of " + count + ", each " + range.text();
   const YAML::Node node = require(key, what);
   if (!node.IsSequence() || (size != 0 && node.size() != size)) {
-    refuse(key, "is " + print(node) + "; it must be " + what);
+    refuseValue(key, what);
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < node.size(); ++i) {
@@ -167,12 +180,26 @@ std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t
   return values;
 }
 
+double ParameterReader::angle(const std::string& key, const Range& degrees) const {
+  return number(key, degrees) * kDegree;
+}
+
+double ParameterReader::angle(const std::string& key, const Range& degrees, double fallback) const {
+  return has(key) ? angle(key, degrees) : fallback;
+}
+
+std::vector<double> ParameterReader::angles(const std::string& key, const Range& degrees) const {
+  std::vector<double> angles = numbers(key, 0, degrees);
+  for (double& angle : angles) angle *= kDegree;
+  return angles;
+}
+
 std::vector<std::string> ParameterReader::texts(const std::string& key) const {
   const YAML::Node node = require(key, "a list of texts");
-  if (!node.IsSequence()) refuse(key, "is " + print(node) + "; it must be a list of texts");
+  if (!node.IsSequence()) refuseValue(key, "a list of texts");
   std::vector<std::string> values;
   for (const auto& entry : node) {
-    if (!entry.IsScalar()) refuse(key, "is " + print(node) + "; it must be a list of texts");
+    if (!entry.IsScalar()) refuseValue(key, "a list of texts");
     values.push_back(entry.Scalar());
   }
   return values;
@@ -188,6 +215,18 @@ Eigen::Vector3d ParameterReader::vector3(const std::string& key, const Range& ra
   return has(key) ? vector3(key, range) : fallback;
 }
 
+void ParameterReader::requirePositiveDefinite(const std::string& key,
+                                              const Eigen::MatrixXd& symmetric) const {
+  const double smallest =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .minCoeff();
+  if (!(smallest > 0.0)) {
+    refuse(key, "is " + valueText(key) + ", whose smallest eigenvalue is " + numberText(smallest) +
+                    "; it must be positive definite (every eigenvalue > 0)");
+  }
+}
+
 Eigen::Matrix3d ParameterReader::positiveDefinite(const std::string& key) const {
   const std::vector<double> v = numbers(key, 0, Range::any());
   if (v.size() != 3 && v.size() != 6) {
@@ -200,12 +239,7 @@ Eigen::Matrix3d ParameterReader::positiveDefinite(const std::string& key) const 
     matrix(0, 2) = matrix(2, 0) = v[4];
     matrix(1, 2) = matrix(2, 1) = v[5];
   }
-  const double smallest =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvalues().minCoeff();
-  if (!(smallest > 0.0)) {
-    refuse(key, "has the smallest eigenvalue " + print(smallest) +
-                    "; it must be positive definite (every eigenvalue > 0)");
-  }
+  requirePositiveDefinite(key, matrix);
   return matrix;
 }
 
@@ -215,7 +249,7 @@ ParameterReader ParameterReader::child(const std::string& key) const {
 
 std::vector<ParameterReader> ParameterReader::children(const std::string& key) const {
   const YAML::Node node = require(key, "a list of maps");
-  if (!node.IsSequence()) refuse(key, "is " + print(node) + "; it must be a list of maps");
+  if (!node.IsSequence()) refuseValue(key, "a list of maps");
   std::vector<ParameterReader> readers;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const std::string name = fullName(key) + "[" + std::to_string(i) + "]";
@@ -226,7 +260,7 @@ std::vector<ParameterReader> ParameterReader::children(const std::string& key) c
 
 std::vector<std::string> ParameterReader::keys() const {
   std::vector<std::string> keys;
-  for (const auto& entry : tree_) keys.push_back(entry.first.as<std::string>());
+  for (const auto& entry : tree_) keys.push_back(keyText(entry.first, name_));
   return keys;
 }
 
@@ -236,10 +270,9 @@ void ParameterReader::finish() const {
 
 YAML::Node loadYamlFile(const std::string& path) {
   std::ifstream file(path);
-  if (!file || file.peek() == std::ifstream::traits_type::eof()) {
-    const bool opened = static_cast<bool>(std::ifstream(path));
-    throw ParameterError("'" + path + "' " + (opened ? "is empty" : "cannot be read"));
-  }
+  file.peek();  // a folder opens, but cannot be read
+  if (!file.is_open() || file.bad()) throw ParameterError("'" + path + "' cannot be read");
+  if (file.eof()) throw ParameterError("'" + path + "' is empty");
   try {
     YAML::Node tree = YAML::Load(file);
     if (!tree.IsMap()) throw ParameterError("'" + path + "' must hold a map of names and values");

@@ -1,5 +1,7 @@
 #include "adaptive_quadrotor_control/reference/sampling.h"
 
+#include "invalid_argument.h"
+
 namespace aqc {
 
 SetPoint toSetPoint(const FlatOutput& output) {
@@ -14,6 +16,9 @@ SetPoint toSetPoint(const FlatOutput& output) {
 
 std::vector<TimedSetPoint> sample(const PolynomialTrajectory& trajectory, Nanoseconds begin,
                                   Nanoseconds period) {
+  if (period <= 0) {
+    throwInvalidArgument("the period of the set points is ", period, " ns; it must be > 0");
+  }
   std::vector<TimedSetPoint> set_points;
   const Nanoseconds duration = fromSeconds(trajectory.duration());
   for (Nanoseconds time = 0; time < duration; time += period) {

@@ -7,14 +7,14 @@
 #include <optional>
 #include <utility>
 
+#include "adaptive_quadrotor_control/model/state.h"
 #include "argument_checks.h"
 #include "invalid_argument.h"
 
 namespace aqc {
 namespace {
 
-constexpr double kGravityAcceleration = 9.81;  // m/s^2
-constexpr double kShortestDuration = 0.1;      // s
+constexpr double kShortestDuration = 0.1;  // s
 // What refining a peak may miss of it, so that the limits hold strictly.
 constexpr double kStretchMargin = 1.0 + 1e-6;
 
@@ -39,7 +39,6 @@ enum Limit { kSpeed, kAcceleration, kTilt, kThrust, kLimitCount };
 /// condition on f that can be solved.
 Eigen::Array4d stretchOf(const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
                          const MotionLimits& limits) {
-  constexpr double kG = kGravityAcceleration;
   const double squared_norm = acceleration.squaredNorm();
   const double up = acceleration.z();
   const double horizontal = acceleration.head<2>().norm();
@@ -48,10 +47,10 @@ Eigen::Array4d stretchOf(const Eigen::Vector3d& velocity, const Eigen::Vector3d&
   stretch[kSpeed] = velocity.norm() / limits.speed;
   stretch[kAcceleration] = std::sqrt(std::sqrt(squared_norm) / limits.acceleration);
   // horizontal / f^2 <= tan(tilt) (up / f^2 + g)
-  stretch[kTilt] = std::sqrt(std::max(horizontal / std::tan(limits.tilt) - up, 0.0) / kG);
+  stretch[kTilt] = std::sqrt(std::max(horizontal / std::tan(limits.tilt) - up, 0.0) / kGravity);
   // |a|^2 / f^4 + 2 g up / f^2 <= g^2 (ratio^2 - 1), a quadratic inequality in f^2
   const double root = std::sqrt(up * up + squared_norm * thrust_range);
-  stretch[kThrust] = std::sqrt(std::max(up + root, 0.0) / (kG * thrust_range));
+  stretch[kThrust] = std::sqrt(std::max(up + root, 0.0) / (kGravity * thrust_range));
   return stretch;
 }
 
@@ -155,7 +154,8 @@ void requireFixedWithin(const std::vector<Waypoint>& waypoints, const MotionLimi
   }
 }
 
-/// Below this factor the mean speed in some segment would be beyond the limit.
+/// Below this factor the mean speed in some segment would be beyond the limit, or the longest
+/// segment shorter than any may be.
 double smallestFactor(const std::vector<Waypoint>& waypoints, const MotionLimits& limits,
                       const std::vector<double>& durations) {
   double factor = kShortestDuration / *std::max_element(durations.begin(), durations.end());
@@ -217,9 +217,8 @@ std::vector<double> estimateDurations(const std::vector<Waypoint>& waypoints,
   constexpr double kPeakSpeed = 35.0 / 16.0;
   const double peak_acceleration = 84.0 / (5.0 * std::sqrt(5.0));
   // An acceleration up to this keeps tilt and thrust within their limits in any direction.
-  const double acceleration =
-      std::min({limits.acceleration, kGravityAcceleration * std::sin(limits.tilt),
-                kGravityAcceleration * (limits.thrust_to_weight - 1.0)});
+  const double acceleration = std::min({limits.acceleration, kGravity * std::sin(limits.tilt),
+                                        kGravity * (limits.thrust_to_weight - 1.0)});
   std::vector<double> durations;
   durations.reserve(waypoints.size() - 1);
   for (std::size_t i = 1; i < waypoints.size(); ++i) {

@@ -1,6 +1,5 @@
 #include "adaptive_quadrotor_control/ros/controller_nodelet.h"
 
-#include <algorithm>
 #include <boost/make_shared.hpp>
 
 #if __has_include(<pluginlib/class_list_macros.hpp>)
@@ -40,9 +39,11 @@ void ControllerNodelet::configure() {
   getPrivateNodeHandle().deleteParam("tuning");  // what the tuner of an earlier run left behind
   const ParameterReader own = parameterReader(getPrivateNodeHandle(), "");
   const double default_rate = getNodeHandle().param("scenario/control_rate", 250.0);
-  period_ = fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), default_rate));
-  odometry_triggers_ =
+  const Nanoseconds period =
+      fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), default_rate));
+  const bool by_odometry =
       own.has("trigger") && own.choice("trigger", {"odometry", "timer"}) == "odometry";
+  clock_.emplace(period, by_odometry ? StepClock::Trigger::kOdometry : StepClock::Trigger::kTimer);
   const ParameterReader gains = own.child("gains");
   law_name_ = gains.text("law");
   controller_ = std::make_unique<FlightController>(vehicle, makeController(gains, vehicle));
@@ -50,7 +51,7 @@ void ControllerNodelet::configure() {
   adaptive_names_ = controller_->law().adaptiveNames();
   diagnostics_ =
       std::make_unique<FlightDiagnostics>(getNodeHandle(), getPrivateNodeHandle(), getName(),
-                                          FlightMonitor(period_, vehicle.maxThrust() / kGravity));
+                                          FlightMonitor(period, vehicle.maxThrust() / kGravity));
   tuner_ = std::make_unique<GainTuner>(
       getPrivateNodeHandle(), parameterTree(getNodeHandle(), "vehicle"),
       parameterTree(getPrivateNodeHandle(), "gains"), getSTCallbackQueue(),
@@ -68,11 +69,13 @@ void ControllerNodelet::connect() {
       node.subscribe("command/trajectory", 10, &ControllerNodelet::onTrajectory, this, fast);
   pose_subscriber_ = node.subscribe("command/pose", 10, &ControllerNodelet::onPose, this, fast);
   connectLaw();
-  if (!odometry_triggers_) {
-    timer_ = node.createTimer(ros::Duration().fromNSec(period_), &ControllerNodelet::onTimer, this);
+  const bool by_timer = clock_->trigger() == StepClock::Trigger::kTimer;
+  if (by_timer) {
+    timer_ = node.createTimer(ros::Duration().fromNSec(clock_->period()),
+                              &ControllerNodelet::onTimer, this);
   }
-  NODELET_INFO("%s at %.0f Hz, triggered by %s", law_name_.c_str(), 1.0 / toSeconds(period_),
-               odometry_triggers_ ? "odometry" : "a timer");
+  NODELET_INFO("%s at %.0f Hz, triggered by %s", law_name_.c_str(),
+               1.0 / toSeconds(clock_->period()), by_timer ? "a timer" : "odometry");
 }
 
 // The inputs that only some laws have.
@@ -89,7 +92,8 @@ void ControllerNodelet::connectLaw() {
     imu_.reset();
   } else if (!imu_) {
     imu_ = std::make_unique<ImuInput>(getNodeHandle(), [this] {
-      if (waiting_ && imu_->covers(odometry_time_)) answer();
+      const Nanoseconds time = clock_->odometryTime();
+      if (clock_->waiting() && imu_->covers(time)) step(time);
     });
   }
 }
@@ -97,60 +101,35 @@ void ControllerNodelet::connectLaw() {
 void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) {
   const State state = toState(*message);
   const Nanoseconds time = toNanoseconds(message->header.stamp);
-  if (!state.valid() || (state_ && time < odometry_time_)) {
-    ++dropped_odometry_;
-    diagnostics_->monitor().countDroppedOdometry();
-    NODELET_WARN_THROTTLE(kWarningPeriod, "odometry dropped: %s (%u so far)",
-                          state.valid() ? "its stamp goes back" : "it is not finite or not a pose",
-                          dropped_odometry_);
-    return;
-  }
-  const bool again = state_ && time == odometry_time_;
+  if (!state.valid()) return dropOdometry("it is not finite or not a pose");
+  const StepClock::Answer answer = clock_->hear(time, imu_ && imu_->awaits(time));
+  if (answer == StepClock::Answer::kDrop) return dropOdometry("its stamp goes back");
   state_ = state;
-  odometry_time_ = time;
   diagnostics_->heardOdometry();
   diagnostics_->monitor().countOdometry(time, toNanoseconds(ros::Time::now()));
-  if (!odometry_triggers_) {
-    // A paused simulation repeats its odometry while its clock stands still: no timer fires then,
-    // and whoever is about to resume it waits for the state.
-    if (again && !flying_) step(time, toSeconds(period_));
-    return;
-  }
-  // The same stamp again asks for the answer again (the simulator waits for it), not for a step:
-  // unless nothing was flying, when a set point may have come in the meantime.
-  const bool repeated = last_step_ && time == *last_step_ && flying_;
-  const bool early = last_step_ && time > *last_step_ && time < *last_step_ + period_;
-  if (repeated || early) return publishMotors();
-  // Which of the two connections delivers first is chance. Whoever asks again gets an answer: the
-  // IMU may have fallen silent.
-  const bool wait = imu_ && !waiting_ && imu_->awaits(time);
-  if (wait) {
-    waiting_ = true;
-  } else {
-    answer();
-  }
+  if (answer == StepClock::Answer::kStep) step(time);
+  if (answer == StepClock::Answer::kRepeat) publishMotors();
 }
 
-void ControllerNodelet::answer() {
-  waiting_ = false;
-  const Nanoseconds elapsed = last_step_ ? odometry_time_ - *last_step_ : period_;
-  // Odometry that pauses must not make one huge step of the adaptive laws.
-  step(odometry_time_, toSeconds(std::clamp(elapsed, period_, 2 * period_)));
+void ControllerNodelet::dropOdometry(const char* reason) {
+  ++dropped_odometry_;
+  diagnostics_->monitor().countDroppedOdometry();
+  NODELET_WARN_THROTTLE(kWarningPeriod, "odometry dropped: %s (%u so far)", reason,
+                        dropped_odometry_);
 }
 
 void ControllerNodelet::onTimer(const ros::TimerEvent&) {
-  step(toNanoseconds(ros::Time::now()), toSeconds(period_));
+  step(toNanoseconds(ros::Time::now()));
 }
 
-void ControllerNodelet::step(Nanoseconds now, double dt) {
-  last_step_ = now;
+void ControllerNodelet::step(Nanoseconds now) {
   const SetPoint* set_point = state_ ? schedule_.at(now) : nullptr;
-  flying_ = set_point != nullptr;
-  if (flying_) set_point_ = *set_point;
+  if (set_point != nullptr) set_point_ = *set_point;
+  const double dt = clock_->begin(now, set_point != nullptr);
   if (switch_) switch_->step(now);
-  if (imu_) imu_->feed(*controller_, odometry_time_);
+  if (imu_) imu_->feed(*controller_, clock_->odometryTime());
   controller_->step(state_.value_or(State()), set_point, dt);
-  diagnostics_->monitor().countStep(now, flying_, controller_->law().telemetry(),
+  diagnostics_->monitor().countStep(now, controller_->flying(), controller_->law().telemetry(),
                                     controller_->allocation().saturated);
   publishMotors();
   publishState();
@@ -174,16 +153,16 @@ std::string ControllerNodelet::swapLaw(PreparedLaw& prepared) {
 void ControllerNodelet::publishMotors() {
   const RotorArray& speeds = controller_->allocation().speeds;
   const auto motors = boost::make_shared<msgs::Actuators>();
-  motors->header.stamp = toRosTime(odometry_time_);
+  motors->header.stamp = toRosTime(clock_->odometryTime());
   motors->angular_velocities.assign(speeds.begin(), speeds.end());
   motor_publisher_.publish(motors);
 }
 
 void ControllerNodelet::publishState() {
   FlightSample sample;
-  sample.time = odometry_time_;
+  sample.time = clock_->odometryTime();
   sample.state = state_.value_or(State());
-  sample.flying = flying_;
+  sample.flying = controller_->flying();
   sample.set_point = set_point_;
   sample.telemetry = controller_->law().telemetry();
   sample.allocation = controller_->allocation();
@@ -196,7 +175,7 @@ void ControllerNodelet::publishState() {
   state->dropped_odometry = dropped_odometry_;
   state->dropped_set_points = dropped_set_points_;
   if (imu_) imu_->fill(*state);
-  if (switch_) switch_->fill(*state, odometry_time_);
+  if (switch_) switch_->fill(*state, clock_->odometryTime());
   state_publisher_.publish(state);
 }
 
@@ -207,6 +186,13 @@ void ControllerNodelet::accept(std::vector<TimedSetPoint> set_points, Nanosecond
   diagnostics_->monitor().countSetPoint(now);
 }
 
+void ControllerNodelet::dropSetPoint(const char* what, const std::invalid_argument& error) {
+  ++dropped_set_points_;
+  diagnostics_->monitor().countDroppedSetPoint();
+  NODELET_WARN_THROTTLE(kWarningPeriod, "%s dropped: %s (%u so far)", what, error.what(),
+                        dropped_set_points_);
+}
+
 void ControllerNodelet::onTrajectory(
     const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& message) {
   const Nanoseconds now = toNanoseconds(ros::Time::now());
@@ -215,10 +201,7 @@ void ControllerNodelet::onTrajectory(
     accept(toSetPoints(*message, stamp + kOldestTrajectory > now ? stamp : now), now,
            message->header.stamp);
   } catch (const std::invalid_argument& error) {
-    ++dropped_set_points_;
-    diagnostics_->monitor().countDroppedSetPoint();
-    NODELET_WARN_THROTTLE(kWarningPeriod, "trajectory dropped: %s (%u so far)", error.what(),
-                          dropped_set_points_);
+    dropSetPoint("trajectory", error);
   }
 }
 
@@ -227,10 +210,7 @@ void ControllerNodelet::onPose(const geometry_msgs::PoseStamped::ConstPtr& messa
   try {
     accept({{now, toSetPoint(message->pose)}}, now, message->header.stamp);
   } catch (const std::invalid_argument& error) {
-    ++dropped_set_points_;
-    diagnostics_->monitor().countDroppedSetPoint();
-    NODELET_WARN_THROTTLE(kWarningPeriod, "pose dropped: %s (%u so far)", error.what(),
-                          dropped_set_points_);
+    dropSetPoint("pose", error);
   }
 }
 

@@ -1,7 +1,8 @@
 #include "adaptive_quadrotor_control/simulation/mission.h"
 
+#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "adaptive_quadrotor_control/control/switched.h"
@@ -12,28 +13,25 @@
 namespace aqc {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 const Range kTime = Range::between(0.0, 1e6);
 const Range kFrequency = Range::between(0.0, 1e3);
-const Range kAngle = Range::between(-3600.0, 3600.0);
+const Range kYaw = Range::between(-3600.0, 3600.0);  // [deg]
 
 std::string print(Nanoseconds time) {
-  std::ostringstream out;
-  out << toSeconds(time) << " s";
-  return out.str();
+  return numberText(toSeconds(time)) + " s";
 }
 
 Waypoint readWaypoint(const ParameterReader& point, double default_yaw) {
   Waypoint waypoint;
   waypoint.position = point.vector3("position", Range::any());
-  waypoint.yaw = point.number("yaw_deg", kAngle, default_yaw / kDegree) * kDegree;
+  waypoint.yaw = point.angle("yaw_deg", kYaw, default_yaw);
   return waypoint;
 }
 
 MotionLimits readLimits(const ParameterReader& reader) {
   return {reader.number("speed", Range::positiveUpTo(100.0)),
           reader.number("acceleration", Range::positiveUpTo(100.0)),
-          reader.number("tilt_deg", Range::positiveUpTo(80.0), 30.0) * kDegree,
+          reader.angle("tilt_deg", Range::positiveUpTo(80.0), M_PI / 6.0),
           reader.number("thrust_to_weight", Range{1.0, 10.0, true}, 1.5)};
 }
 
@@ -45,22 +43,29 @@ class MissionBuilder {
       : payloads_(payloads), present_(start), period_(set_point_period) {}
 
   void add(const ParameterReader& entry) {
+    using Verb = void (MissionBuilder::*)(const ParameterReader&);
+    static const std::vector<std::pair<std::string, Verb>> verbs = {
+        {"step", &MissionBuilder::step},
+        {"path", &MissionBuilder::path},
+        {"hold", &MissionBuilder::hold},
+        {"sine", &MissionBuilder::sine},
+        {"attach", &MissionBuilder::attach},
+        {"detach", &MissionBuilder::detach},
+        {"wind", &MissionBuilder::wind},
+        {"body", &MissionBuilder::body},
+        {"disturbance", &MissionBuilder::disturbance},
+        {"switch", &MissionBuilder::change}};
     const std::vector<std::string> keys = entry.keys();
-    const std::string verb = keys.size() == 1 ? keys.front() : "";
-    using Member = void (MissionBuilder::*)(const ParameterReader&);
-    static const std::map<std::string, Member> verbs = {
-        {"step", &MissionBuilder::step},     {"path", &MissionBuilder::path},
-        {"sine", &MissionBuilder::sine},     {"hold", &MissionBuilder::hold},
-        {"attach", &MissionBuilder::attach}, {"detach", &MissionBuilder::detach},
-        {"wind", &MissionBuilder::wind},     {"body", &MissionBuilder::body},
-        {"switch", &MissionBuilder::change}, {"disturbance", &MissionBuilder::disturbance}};
-    const auto found = verbs.find(verb);
-    if (found == verbs.end()) {
-      entry.refuse(verb,
-                   "is not a mission entry; it must be one of step, path, hold, sine, attach, "
-                   "detach, wind, body, disturbance, switch, each in a list item of its own");
+    const std::string name = keys.size() == 1 ? keys.front() : "";
+    std::string known;
+    for (const auto& [verb, run] : verbs) {
+      if (verb == name) return (this->*run)(entry.child(name));
+      known += (known.empty() ? "" : ", ") + verb;
     }
-    (this->*found->second)(entry.child(verb));
+    const std::string problem =
+        keys.size() == 1 ? "is unknown" : "has " + std::to_string(keys.size()) + " names";
+    entry.refuse(name,
+                 problem + "; it must be one of " + known + ", each in a list item of its own");
   }
 
   Mission take() { return std::move(mission_); }
@@ -77,12 +82,14 @@ class MissionBuilder {
     last_begin_ = time;
     return time;
   }
-  Nanoseconds beginLeg(const ParameterReader& entry) { return begin(entry, leg_end_); }
+  Nanoseconds beginLeg(const ParameterReader& entry) {
+    return begin(entry, std::max(leg_end_, last_begin_));
+  }
   Nanoseconds beginEvent(const ParameterReader& entry) { return begin(entry, last_begin_); }
 
   void step(const ParameterReader& entry) {
     const Nanoseconds time = beginLeg(entry);
-    const double yaw = entry.number("yaw_deg", kAngle, present_.yaw / kDegree) * kDegree;
+    const double yaw = entry.angle("yaw_deg", kYaw, present_.yaw);
     present_ = SetPoint();
     present_.position = entry.vector3("position", Range::any());
     present_.yaw = yaw;
@@ -109,15 +116,26 @@ class MissionBuilder {
       durations.push_back(toSeconds(time - end));
       end = time;
     }
-    if (waypoints.size() < 2)
+    if (waypoints.size() < 2) {
       entry.refuse("through", "is empty; it must list at least one waypoint");
-    const PolynomialTrajectory trajectory =
-        limited ? minimumSnapWithin(waypoints, readLimits(entry.child("limits")))
-                : minimumSnap(waypoints, durations);
-    const std::vector<TimedSetPoint> leg = sample(trajectory, start, period_);
+    }
+    const std::vector<TimedSetPoint> leg =
+        sample(solve(entry, waypoints, durations), start, period_);
     mission_.set_points.insert(mission_.set_points.end(), leg.begin(), leg.end());
     present_ = leg.back().set_point;
     leg_end_ = leg.back().time;
+  }
+
+  // Without durations these follow from the entry's limits.
+  static PolynomialTrajectory solve(const ParameterReader& entry,
+                                    const std::vector<Waypoint>& waypoints,
+                                    const std::vector<double>& durations) {
+    try {
+      if (!durations.empty()) return minimumSnap(waypoints, durations);
+      return minimumSnapWithin(waypoints, readLimits(entry.child("limits")));
+    } catch (const std::invalid_argument& error) {
+      entry.refuse("through", std::string("cannot be flown: ") + error.what());
+    }
   }
 
   // Where an entry that begins at `begin` ends.
@@ -136,7 +154,7 @@ class MissionBuilder {
     const Eigen::Vector3d amplitude = entry.vector3("amplitude", Range::any());
     const double frequency = entry.number("angular_frequency", kFrequency);
     SetPoint point;
-    point.yaw = entry.number("yaw_deg", kAngle, present_.yaw / kDegree) * kDegree;
+    point.yaw = entry.angle("yaw_deg", kYaw, present_.yaw);
     for (Nanoseconds time = start; time < end; time += period_) {
       const double phase = frequency * toSeconds(time - start);
       point.position = middle + amplitude * std::sin(phase);
@@ -158,9 +176,11 @@ class MissionBuilder {
     const std::string name = entry.text("payload");
     const auto payload = payloads_.find(name);
     if (payload == payloads_.end()) {
-      entry.refuse("payload", "is '" + name + "'; it must be a name of the scenario's 'payloads'");
+      entry.refuseValue("payload", "a name of the scenario's 'payloads'");
     }
-    if (attached_) entry.refuse("payload", "cannot be attached: another one already is");
+    if (attached_) {
+      entry.refuseValue("payload", "attached after the one that is already attached is detached");
+    }
     attached_ = true;
     mission_.events.push_back({time, AttachPayload{name, payload->second}});
   }

@@ -1,6 +1,7 @@
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 #include "adaptive_quadrotor_control/model/rotations.h"
 #include "adaptive_quadrotor_control/simulation/mission.h"
@@ -8,7 +9,7 @@
 namespace aqc {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kLongest = 1e6;  // flight [s]
 
 Nanoseconds readPeriod(const ParameterReader& reader, const std::string& key) {
   return fromSeconds(1.0 / reader.number(key, Range::between(1.0, 1e5)));
@@ -18,9 +19,9 @@ State readStart(const ParameterReader& reader) {
   State start;
   start.position = reader.vector3("position", Range::any());
   const Range tilt = Range::between(-89.0, 89.0);
-  const double roll = reader.number("roll_deg", tilt, 0.0) * kDegree;
-  const double pitch = reader.number("pitch_deg", tilt, 0.0) * kDegree;
-  start.attitude = yawRotation(reader.number("yaw_deg", Range::between(-360.0, 360.0)) * kDegree);
+  const double roll = reader.angle("roll_deg", tilt, 0.0);
+  const double pitch = reader.angle("pitch_deg", tilt, 0.0);
+  start.attitude = yawRotation(reader.angle("yaw_deg", Range::between(-360.0, 360.0)));
   if (roll != 0.0 || pitch != 0.0) {
     start.attitude = start.attitude * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
                      Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
@@ -46,7 +47,7 @@ std::map<std::string, Payload> readPayloads(const ParameterReader& reader,
 Box readBox(const ParameterReader& reader) {
   Box box{reader.vector3("min", Range::any()), reader.vector3("max", Range::any())};
   if (!((box.max - box.min).array() > 0.0).all()) {
-    reader.refuse("max", "must be above 'min' in every axis");
+    reader.refuseValue("max", "above 'min' " + reader.valueText("min") + " in every axis");
   }
   return box;
 }
@@ -58,22 +59,34 @@ RmsErrors readPublished(const ParameterReader& reader) {
   return errors;
 }
 
-void checkTimes(const ParameterReader& reader, const Scenario& scenario) {
-  if (scenario.control_period % scenario.plant_step != 0) {
-    reader.refuse("plant_rate", "must be a whole multiple of 'control_rate'");
-  }
+void checkRates(const ParameterReader& reader, const Scenario& scenario) {
+  if (scenario.control_period % scenario.plant_step == 0) return;
+  reader.refuseValue("plant_rate", "a whole multiple of 'control_rate' " +
+                                       reader.valueText("control_rate") + "; steps of " +
+                                       std::to_string(scenario.plant_step) +
+                                       " ns do not fill a control period of " +
+                                       std::to_string(scenario.control_period) + " ns");
+}
+
+void checkDuration(const ParameterReader& reader, const Scenario& scenario) {
   Nanoseconds last = 0;
   if (!scenario.set_points.empty()) last = scenario.set_points.back().time;
   if (!scenario.events.empty()) last = std::max(last, scenario.events.back().time);
   if (!scenario.switches.empty()) last = std::max(last, scenario.switches.back().time);
   if (scenario.duration < last) {
-    reader.refuse("duration", "is " + std::to_string(toSeconds(scenario.duration)) +
-                                  " s; the mission lasts until " + std::to_string(toSeconds(last)) +
-                                  " s");
+    reader.refuseValue("duration", "no less than the mission, which lasts until " +
+                                       numberText(toSeconds(last)) + " s");
   }
-  if (scenario.metrics_from >= scenario.duration) {
-    reader.refuse("metrics/from", "must be before the end of the flight");
+}
+
+// RMS errors count from there to the end.
+Nanoseconds readMetricsFrom(const ParameterReader& reader, Nanoseconds duration) {
+  const Nanoseconds from = fromSeconds(reader.number("from", Range::between(0.0, kLongest)));
+  if (from >= duration) {
+    reader.refuseValue("from",
+                       "before the end of the flight at " + numberText(toSeconds(duration)) + " s");
   }
+  return from;
 }
 
 }  // namespace
@@ -94,9 +107,10 @@ Scenario readScenario(const ParameterReader& reader) {
   scenario.title = reader.text("title");
   scenario.vehicle = reader.text("vehicle");
   scenario.controllers = reader.texts("controllers");
-  scenario.duration = fromSeconds(reader.number("duration", Range::positiveUpTo(1e6)));
+  scenario.duration = fromSeconds(reader.number("duration", Range::positiveUpTo(kLongest)));
   scenario.control_period = readPeriod(reader, "control_rate");
   scenario.plant_step = readPeriod(reader, "plant_rate");
+  checkRates(reader, scenario);
   scenario.start = readStart(reader.child("start"));
 
   std::map<std::string, Payload> payloads;
@@ -114,15 +128,15 @@ Scenario readScenario(const ParameterReader& reader) {
   scenario.set_points = std::move(mission.set_points);
   scenario.events = std::move(mission.events);
   scenario.switches = std::move(mission.switches);
+  checkDuration(reader, scenario);
 
-  scenario.metrics_from = fromSeconds(reader.child("metrics").number("from", Range::nonNegative()));
+  scenario.metrics_from = readMetricsFrom(reader.child("metrics"), scenario.duration);
   if (reader.has("published")) {
     const ParameterReader published = reader.child("published");
     for (const std::string& name : published.keys()) {
       scenario.published[name] = readPublished(published.child(name));
     }
   }
-  checkTimes(reader, scenario);
   return scenario;
 }
 

@@ -8,11 +8,10 @@
 
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/time_allocation.h"
+#include "support/trajectories.h"
 
 namespace aqc {
 namespace {
-
-constexpr double kG = 9.81;
 
 /// A number in [low, high] that shrinks towards low.
 double anyReal(double low, double high) {
@@ -271,19 +270,9 @@ RC_GTEST_PROP(MinimumSnapProperty, LimitsHoldOnAFineGridAndNotMuchFaster, ()) {
   const MotionLimits limits{anyReal(0.5, 20.0), anyReal(0.5, 20.0), anyReal(0.1, 1.4),
                             anyReal(1.1, 4.0)};
   const PolynomialTrajectory trajectory = minimumSnapWithin(problem.waypoints, limits);
-  const auto worst = [&](const PolynomialTrajectory& flight) {
+  const auto worst = [&limits](const PolynomialTrajectory& flight) {
     constexpr int kSteps = 20000;
-    double use = 0.0;
-    for (int i = 0; i <= kSteps; ++i) {
-      const FlatOutput output = flight.evaluate(flight.duration() * i / kSteps);
-      const Eigen::Vector3d acceleration = output.derivative[2].head<3>();
-      const Eigen::Vector3d thrust = acceleration + kG * Eigen::Vector3d::UnitZ();
-      use = std::max({use, output.derivative[1].head<3>().norm() / limits.speed,
-                      acceleration.norm() / limits.acceleration,
-                      thrust.norm() / kG / limits.thrust_to_weight,
-                      std::atan2(thrust.head<2>().norm(), thrust.z()) / limits.tilt});
-    }
-    return use;
+    return test::worstUse(flight, limits, kSteps);
   };
   RC_ASSERT(worst(trajectory) <= 1.0);
   const auto& durations = trajectory.segmentDurations();

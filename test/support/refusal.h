@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,19 +11,28 @@
 
 namespace aqc::test {
 
-/// Fails unless `act` throws a ParameterError whose message holds all of `parts`.
-template <typename Act>
-void expectRefusal(Act act, const std::vector<std::string>& parts) {
+/// The message of the Error that `act` throws; empty if it throws none.
+template <typename Error = std::invalid_argument, typename Act>
+std::string refusal(const Act& act) {
   try {
     act();
-  } catch (const ParameterError& error) {
-    const std::string message = error.what();
-    for (const std::string& part : parts) {
-      EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
-    }
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Fails unless `act` throws a ParameterError whose message holds all of `parts`.
+template <typename Act>
+void expectRefusal(const Act& act, const std::vector<std::string>& parts) {
+  const std::string message = refusal<ParameterError>(act);
+  if (message.empty()) {
+    ADD_FAILURE() << "not refused; expected: " << parts.front();
     return;
   }
-  ADD_FAILURE() << "not refused; expected: " << parts.front();
+  for (const std::string& part : parts) {
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  }
 }
 
 inline ParameterReader readerOf(const std::string& yaml, const std::string& name) {

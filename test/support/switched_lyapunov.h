@@ -118,6 +118,15 @@ inline Eigen::Vector4d anyVector(Dice& dice, double low, double high) {
   return v;
 }
 
+/// Errors in [-size, size], accelerations as large as a vehicle has them.
+inline SwitchedInput anyInput(Dice& dice, double size) {
+  SwitchedInput in;
+  for (double& entry : in.error) entry = dice.between(-size, size);
+  in.desired_acceleration = anyVector(dice, -2.0, 2.0);
+  in.acceleration = dice.between(0.0, 8.0);
+  return in;
+}
+
 inline SubsystemParameters anySubsystem(Dice& dice) {
   SubsystemParameters p;
   p.error_gain = anyPositiveDefinite<4>(dice, 0.8, 3.0);

@@ -8,8 +8,8 @@
 
 #include "adaptive_quadrotor_control/control/lyapunov.h"
 #include "adaptive_quadrotor_control/control/subsystem_switch.h"
-#include "adaptive_quadrotor_control/control/switched.h"
-#include "support/fixtures.h"
+#include "support/refusal.h"
+#include "support/switched_laws.h"
 
 namespace aqc {
 namespace {
@@ -29,11 +29,6 @@ Eigen::Matrix2d companion(double k1, double k2) {
   return A;
 }
 
-std::unique_ptr<Switched> thesisLaw() {
-  const ParameterReader reader(loadYamlFile(test::configFile("controller/switched")), "switched");
-  return std::make_unique<Switched>(reader, test::pelican());
-}
-
 TEST(Lyapunov, MatchesTheSolutionByHand) {
   for (const auto& [k1, k2] : {std::pair(120.0, 100.0), std::pair(0.5, 3.0), std::pair(7.0, 0.1)}) {
     const Eigen::MatrixXd P = solveLyapunov(companion(k1, k2), 2.0 * Eigen::Matrix2d::Identity());
@@ -43,18 +38,22 @@ TEST(Lyapunov, MatchesTheSolutionByHand) {
 
 TEST(Lyapunov, RefusesWhatHasNoLyapunovFunction) {
   const Eigen::Matrix2d Q = Eigen::Matrix2d::Identity();
-  EXPECT_THROW(solveLyapunov(companion(1.0, 0.0), Q), std::domain_error);   // oscillates
-  EXPECT_THROW(solveLyapunov(companion(1.0, -1.0), Q), std::domain_error);  // diverges
-  EXPECT_THROW(solveLyapunov(companion(1.0, 1.0), -Q), std::domain_error);
+  const auto refusal = [](const Eigen::MatrixXd& A, const Eigen::MatrixXd& weight) {
+    return test::refusal<std::domain_error>([&] { solveLyapunov(A, weight); });
+  };
+  EXPECT_THROW(solveLyapunov(companion(1.0, 0.0), Q), std::domain_error);  // oscillates
+  EXPECT_EQ(refusal(companion(-2.0, -1.0), Q),                             // diverges
+            "A has an eigenvalue of real part 2; every one must be < 0");
+  EXPECT_EQ(refusal(companion(1.0, 1.0), -Q), "Q has the eigenvalue -1; every one must be > 0");
   Eigen::Matrix2d skew = Q;
   skew(0, 1) = 0.1;
-  EXPECT_THROW(solveLyapunov(companion(1.0, 1.0), skew), std::domain_error);
+  EXPECT_EQ(refusal(companion(1.0, 1.0), skew), "Q is not symmetric");
   EXPECT_THROW(solveLyapunov(companion(NAN, 1.0), Q), std::domain_error);
 }
 
 // The thesis prints 6.57 s, its parameters in its own definitions give 6.760 s.
 TEST(DwellTime, OfTheThesisParameters) {
-  const DwellTime bound = thesisLaw()->subsystems()->bound();
+  const DwellTime bound = test::makeLaw(test::thesisTree())->subsystems()->bound();
   EXPECT_NEAR(bound.mu, 298.0, 0.05);
   EXPECT_NEAR(bound.varrho, 0.93645, 5e-6);
   EXPECT_DOUBLE_EQ(bound.kappa, 0.9 * bound.varrho);
@@ -65,7 +64,7 @@ TEST(DwellTime, OfTheThesisParameters) {
 
 // Where the printed value comes from: lambda_min of subsystem 2 instead of the least of all three.
 TEST(DwellTime, PrintedValueUsesTheWrongSubsystem) {
-  const auto law = thesisLaw();
+  const auto law = test::makeLaw(test::thesisTree());
   const double p_min = law->law().subsystem(1).spectrum().p_min;
   double p_max = 0.0;
   for (const LyapunovSpectrum& spectrum : law->law().spectra()) {
@@ -79,7 +78,8 @@ TEST(DwellTime, RefusesWhatGivesNone) {
   const LyapunovSpectrum good{1.0, 2.0, 1.0};
   EXPECT_THROW(averageDwellTime({}, 0.9), std::invalid_argument);
   EXPECT_THROW(averageDwellTime({good}, 0.0), std::invalid_argument);
-  EXPECT_THROW(averageDwellTime({good}, 1.0), std::invalid_argument);
+  EXPECT_EQ(test::refusal([&] { averageDwellTime({good}, 1.0); }),
+            "kappa / varrho is 1; it must be > 0 and < 1");
   EXPECT_THROW(averageDwellTime({good, {0.0, 2.0, 1.0}}, 0.9), std::invalid_argument);
   EXPECT_THROW(averageDwellTime({{1.0, 2.0, NAN}}, 0.9), std::invalid_argument);
 }
@@ -93,10 +93,12 @@ TEST(DwellTime, TakesTheWorstOverAllSubsystems) {
 }
 
 TEST(DwellTimeMonitor, RefusesNumbersThatForbidEverySwitch) {
-  EXPECT_THROW(DwellTimeMonitor(10, 0.999), std::invalid_argument);
+  EXPECT_EQ(test::refusal([] { DwellTimeMonitor(10, 0.999); }),
+            "the chatter bound N_0 is 0.999; it must be >= 1 and <= 1000");
   EXPECT_THROW(DwellTimeMonitor(10, NAN), std::invalid_argument);
   EXPECT_THROW(DwellTimeMonitor(10, 1001.0), std::invalid_argument);
-  EXPECT_THROW(DwellTimeMonitor(0, 1.0), std::invalid_argument);
+  EXPECT_EQ(test::refusal([] { DwellTimeMonitor(0, 1.0); }),
+            "the dwell time is 0 ns; it must be >= 1 and <= 1000000000000000");
   EXPECT_NO_THROW(DwellTimeMonitor(1, 1.0));
 }
 
@@ -199,9 +201,20 @@ TEST(SubsystemSwitch, RefusesAnInitialSubsystemThatDoesNotExist) {
   const DwellTime bound = averageDwellTime({{1.0, 2.0, 1.0}}, 0.9);
   const DwellTimeMonitor monitor(1, 1.0);
   const auto policy = SubsystemSwitch::Policy::kRefuse;
-  EXPECT_THROW(SubsystemSwitch(3, 4, bound, monitor, policy), std::invalid_argument);
+  EXPECT_EQ(test::refusal([&] { SubsystemSwitch(3, 4, bound, monitor, policy); }),
+            "the initial subsystem is 4; it must be >= 1 and <= 3, the number of subsystems");
   EXPECT_THROW(SubsystemSwitch(3, 0, bound, monitor, policy), std::invalid_argument);
   EXPECT_THROW(SubsystemSwitch(0, 1, bound, monitor, policy), std::invalid_argument);
+}
+
+// The policy warn lets the bucket overfill without end, and the new dwell time may be far longer.
+TEST(DwellTimeMonitor, AdoptedFromAnOverfilledOneItIsFull) {
+  DwellTimeMonitor old(1'000'000, 1.0);
+  for (int i = 0; i < 100'000; ++i) old.record(0);
+  DwellTimeMonitor monitor(DwellTimeMonitor::kLongest, 1.0);
+  monitor.adopt(old);
+  EXPECT_FALSE(monitor.allows(0));
+  EXPECT_EQ(monitor.earliest(0), DwellTimeMonitor::kLongest);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "adaptive_quadrotor_control/control/flight_controller.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 #include "support/fixtures.h"
 

@@ -193,6 +193,8 @@ TEST(Mission, RefusesTimesThatGoBack) {
       "  - path: {at: 1, through: [{at: 3, position: [0, 0, 1]}]}\n"
       "  - step: {at: 2, position: [0, 0, 1]}\n",
       {"'scenario/mission[1]/step/at'", "2 s", "3 s"});
+  expectRefused("  - attach: {at: 10, payload: box}\n  - step: {at: 7, position: [0, 0, 1]}\n",
+                {"'scenario/mission[1]/step/at'", "7 s", "10 s", "backwards"});
   expectRefused("  - path: {at: 5, through: [{at: 5, position: [0, 0, 1]}]}\n",
                 {"'scenario/mission[0]/path/through[0]/at'", "5 s", "after"});
   expectRefused(
@@ -205,7 +207,7 @@ TEST(Mission, RefusesTimesThatGoBack) {
 
 TEST(Mission, RefusesPayloadEventsThatDoNotAlternate) {
   expectRefused("  - attach: {at: 1, payload: box}\n  - attach: {at: 2, payload: box}\n",
-                {"'scenario/mission[1]/attach/payload'", "already"});
+                {"'scenario/mission[1]/attach/payload' is 'box'", "already attached"});
   expectRefused("  - detach: {at: 1}\n",
                 {"'scenario/mission[0]/detach/at'", "no payload is attached"});
   expectRefused("  - attach: {at: 1, payload: crate}\n",
@@ -215,8 +217,8 @@ TEST(Mission, RefusesPayloadEventsThatDoNotAlternate) {
 TEST(Mission, RefusesEntriesThatItDoesNotKnow) {
   expectRefused("  - jump: {at: 1}\n", {"'scenario/mission[0]/jump'", "step, path, hold"});
   expectRefused("  - {hold: {for: 1}, step: {position: [0, 0, 1]}}\n",
-                {"'scenario/mission[0]", "step, path, hold"});
-  expectRefused("  - {}\n", {"'scenario/mission[0]", "step, path, hold"});
+                {"'scenario/mission[0]' has 2 names", "step, path, hold"});
+  expectRefused("  - {}\n", {"'scenario/mission[0]' has 0 names", "step, path, hold"});
   expectRefused("  - hold\n", {"'scenario/mission[0]'", "'hold'", "a map"});
   expectRefused("  - step: {at: 1, position: [0, 0, 1], speed: 3}\n",
                 {"'scenario/mission[0]/step/speed'", "unknown"});
@@ -230,6 +232,8 @@ TEST(Mission, RefusesValuesOutOfRange) {
   expectRefused("  - step: {at: 1}\n", {"'scenario/mission[0]/step/position'", "missing"});
   expectRefused("  - path: {at: 1, through: []}\n",
                 {"'scenario/mission[0]/path/through'", "at least one waypoint"});
+  expectRefused("  - path: {at: 1, through: [{at: 2, position: [1.0e+308, 0, 1]}]}\n",
+                {"'scenario/mission[0]/path/through' cannot be flown", "overflow"});
   expectRefused("  - path: {at: 1}\n", {"'scenario/mission[0]/path/through'", "missing"});
   expectRefused("  - hold: {}\n", {"'scenario/mission[0]/hold/for'", "missing"});
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -138,6 +139,13 @@ TEST(ParameterReader, RefusesNamesGivenTwice) {
   expectRefusal([&] { reader.finish(); }, {"'x/a'", "twice"});
 }
 
+TEST(ParameterReader, RefusesKeysThatAreNoTexts) {
+  const ParameterReader reader = readerOf("{inner: {[1, 2]: 3}}", "x");
+  const ParameterReader inner = reader.child("inner");
+  expectRefusal([&] { reader.finish(); }, {"'x/inner'", "[1, 2]", "a text"});
+  expectRefusal([&] { inner.keys(); }, {"'x/inner'", "[1, 2]", "a text"});
+}
+
 TEST(ParameterReader, ReadsPositiveDefiniteMatrices) {
   const ParameterReader reader = readerOf(
       "{a: [1, 2, 3], b: [2, 2, 2, 1, 0, -1], c: [1, 1, 1, 2, 0, 0], d: [1, 0, 1],"
@@ -156,6 +164,38 @@ TEST(ParameterReader, ReadsPositiveDefiniteMatrices) {
   expectRefusal([&] { reader.positiveDefinite("g"); }, {"'x/g'", "positive definite"});
 }
 
+TEST(ParameterReader, TurnsDegreesIntoRadians) {
+  const ParameterReader reader = readerOf("{a_deg: 180, list_deg: [0, -90], b_deg: 91}", "x");
+  const Range range = Range::between(-180.0, 180.0);
+  EXPECT_EQ(reader.angle("a_deg", range), M_PI);
+  EXPECT_EQ(reader.angle("a_deg", range, 1.0), M_PI);
+  EXPECT_EQ(reader.angle("c_deg", range, 1.0), 1.0) << "the fallback is in radians";
+  EXPECT_EQ(reader.angles("list_deg", range), (std::vector<double>{0.0, -M_PI_2}));
+  expectRefusal([&] { reader.angle("b_deg", Range::positiveUpTo(90.0)); },
+                {"'x/b_deg'", "'91'", "<= 90"});
+  expectRefusal([&] { reader.angle("c_deg", range); }, {"'x/c_deg'", "missing"});
+}
+
+TEST(ParameterReader, RefusesForItsCallers) {
+  const ParameterReader reader = readerOf("{a: 0.50, list: [1, 2], inner: {b: 1}}", "x");
+  expectRefusal([&] { reader.refuse("a", "is odd"); }, {"parameter 'x/a' is odd"});
+  expectRefusal([&] { reader.refuseValue("a", "> 1"); },
+                {"parameter 'x/a' is '0.50'; it must be > 1"});
+  expectRefusal([&] { reader.refuseValue("list", "longer"); }, {"'x/list' is [1, 2]; it must be"});
+  expectRefusal([&] { reader.child("inner").refuseValue("c", "there"); },
+                {"'x/inner/c' is nothing; it must be there"});
+  EXPECT_NO_THROW(reader.requirePositiveDefinite("list", Eigen::Matrix2d::Identity()));
+  expectRefusal([&] { reader.requirePositiveDefinite("list", -Eigen::Matrix2d::Identity()); },
+                {"'x/list' is [1, 2]", "eigenvalue is -1", "positive definite"});
+}
+
+TEST(ParameterReader, PrintsNumbersAsAPersonWould) {
+  EXPECT_EQ(numberText(0.1), "0.1");
+  EXPECT_EQ(numberText(1234567.891), "1234567.891");
+  EXPECT_EQ(numberText(-2.5e-7), "-2.5e-07");
+  EXPECT_EQ(numberText(0.1 + 0.2), "0.3") << "no noise";
+}
+
 class YamlFile : public ::testing::Test {
  protected:
   void TearDown() override { std::remove(path_.c_str()); }
@@ -169,6 +209,8 @@ class YamlFile : public ::testing::Test {
 TEST_F(YamlFile, IsRefusedWhenItCannotBeRead) {
   expectRefusal([] { loadYamlFile("/nowhere/at/all.yaml"); },
                 {"'/nowhere/at/all.yaml'", "cannot be read"});
+  const std::string folder = ::testing::TempDir();
+  expectRefusal([&] { loadYamlFile(folder); }, {folder, "cannot be read"});
 }
 
 TEST_F(YamlFile, IsRefusedWhenItIsEmpty) {

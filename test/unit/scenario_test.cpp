@@ -113,7 +113,7 @@ TEST(Scenario, ReadsEveryScenarioFile) {
 
 TEST(Scenario, RefusesRatesThatDoNotFit) {
   expectRefused("plant_rate: 1000.0", "plant_rate: 150.0",
-                {"'scenario/plant_rate'", "whole multiple"});
+                {"'scenario/plant_rate' is '150.0'", "whole multiple", "'100.0'", "6666667 ns"});
   expectRefused("plant_rate: 1000.0", "plant_rate: 50.0",
                 {"'scenario/plant_rate'", "whole multiple"});
   expectRefused("control_rate: 100.0", "control_rate: 0.0",
@@ -124,9 +124,12 @@ TEST(Scenario, RefusesRatesThatDoNotFit) {
 
 TEST(Scenario, RefusesDurationsThatAreTooShort) {
   expectRefused("duration: 30.0", "duration: 15.0",
-                {"'scenario/duration'", "15", "lasts until 20"});
+                {"'scenario/duration' is '15.0'", "lasts until 20 s"});
   expectRefused("duration: 30.0", "duration: -1", {"'scenario/duration'", "'-1'", "> 0"});
-  expectRefused("from: 10.0", "from: 30.0", {"'scenario/metrics/from'", "before the end"});
+  expectRefused("from: 10.0", "from: 30.0",
+                {"'scenario/metrics/from' is '30.0'", "before the end", "30 s"});
+  expectRefused("from: 10.0", "from: 1.0e+300",
+                {"'scenario/metrics/from' is '1.0e+300'", "<= 1000000"});
   expectRefused("from: 10.0", "from: -1.0", {"'scenario/metrics/from'", "'-1.0'", ">= 0"});
 }
 
@@ -139,6 +142,11 @@ TEST(Scenario, RefusesPayloadsThatMakeNoSense) {
   expectRefused("inertia: [1, 2, 2.5]", "inertia: [1, -2, 2.5]",
                 {"'scenario/payloads/rod/inertia'", "-2", "positive definite"});
   expectRefused("payload: box", "payload: crate", {"'crate'", "'payloads'"});
+}
+
+TEST(Scenario, RefusesWallsInsideOut) {
+  expectRefused("metrics:", "walls: [{min: [0, 0, 0], max: [1, 0, 1]}]\nmetrics:",
+                {"'scenario/walls[0]/max' is [1, 0, 1]", "above", "[0, 0, 0]"});
 }
 
 TEST(Scenario, RefusesWhatIsMissingUnknownOrMistyped) {

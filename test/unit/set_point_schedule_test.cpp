@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/refusal.h"
+
 namespace aqc {
 namespace {
 
@@ -50,15 +52,12 @@ TEST(SetPointSchedule, IsNullWhenEmpty) {
 }
 
 TEST(SetPointSchedule, RefusesTimesThatGoBack) {
-  try {
-    SetPointSchedule schedule({at(1'000'000'000, 1.0), at(500'000'000, 2.0)});
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("set point 1"), std::string::npos) << message;
-    EXPECT_NE(message.find("0.5"), std::string::npos) << message;
-    EXPECT_NE(message.find("must not decrease"), std::string::npos) << message;
-  }
+  const std::string message = test::refusal([] {
+    SetPointSchedule({at(1'000'000'000, 1.0), at(500'000'000, 2.0)});
+  });
+  EXPECT_NE(message.find("set point 1"), std::string::npos) << message;
+  EXPECT_NE(message.find("0.5"), std::string::npos) << message;
+  EXPECT_NE(message.find("must not decrease"), std::string::npos) << message;
 }
 
 TEST(SetPointSchedule, KeepsWhatHoldsUntilTheNewPlanBegins) {

@@ -81,7 +81,9 @@ TEST(Vehicle, RefusesMassesThatAreNotPositive) {
 TEST(Vehicle, RefusesInertiasThatNoBodyHas) {
   expectRefused("[0.01, 0.01, 0.02]", "[0.01, -0.01, 0.02]",
                 {"'vehicle/inertia'", "-0.01", "positive definite"});
-  expectRefused("[0.01, 0.01, 0.02]", "[0.01, 0.01, 0.2]", {"'vehicle/inertia'", "rigid body"});
+  expectRefused("[0.01, 0.01, 0.02]", "[0.01, 0.01, 0.2]",
+                {"'vehicle/inertia' is [0.01, 0.01, 0.2]", "a rigid body's", "is 10 times these",
+                 "up to 1.5"});
   expectRefused("[0.01, 0.01, 0.02]", "[0.01, 0.01]", {"'vehicle/inertia'", "2 numbers"});
   expectRefused("[0.01, 0.01, 0.02]", "0.01", {"'vehicle/inertia'", "'0.01'", "list"});
 }
@@ -95,14 +97,19 @@ TEST(Vehicle, RefusesThreeRotorsAndSeventeen) {
 
 TEST(Vehicle, RefusesDirectionsThatDoNotFit) {
   expectRefused("[-1, 1, -1, 1]", "[-1, 1, -1]", {"'vehicle/rotors/directions'", "4 numbers"});
-  expectRefused("[-1, 1, -1, 1]", "[-1, 1, 0, 1]", {"'vehicle/rotors/directions'", "1", "-1"});
-  expectRefused("[-1, 1, -1, 1]", "[-1, 1, 2, 1]", {"'vehicle/rotors/directions[2]'", "'2'"});
+  for (const char* directions : {"[-1, 1, 0, 1]", "[-1, 1, 2, 1]", "[-1, 1, -1, 0.5]"}) {
+    expectRefused("[-1, 1, -1, 1]", directions,
+                  {"'vehicle/rotors/directions' is ", directions,
+                   "1 (counter-clockwise) and -1 (clockwise)"});
+  }
 }
 
 TEST(Vehicle, RefusesLayoutsThatCannotFly) {
-  expectRefused("[-1, 1, -1, 1]", "[1, 1, 1, 1]", {"'vehicle/rotors/angles_deg'", "independently"});
+  expectRefused("[-1, 1, -1, 1]", "[1, 1, 1, 1]",
+                {"'vehicle/rotors/angles_deg' is [0.0, 90.0, 180.0, -90.0]", "independent",
+                 "'directions' [1, 1, 1, 1]"});
   expectRefused("[0.0, 90.0, 180.0, -90.0]", "[0, 0, 180, 180]",
-                {"'vehicle/rotors/angles_deg'", "independently"});
+                {"'vehicle/rotors/angles_deg' is [0, 0, 180, 180]", "independent"});
 }
 
 TEST(Vehicle, RefusesEveryRotorConstantOutOfRange) {

@@ -37,6 +37,16 @@ TEST(VehicleUrdf, RotorsAreWhereTheyAre) {
   EXPECT_NE(vehicleUrdf(vehicle).find("xyz=\"0.33 0 "), std::string::npos);
 }
 
+TEST(VehicleUrdf, CoaxialRotorsHaveDiscs) {
+  Vehicle vehicle = test::pelican();
+  const std::vector<Rotor> upper = vehicle.rotors;
+  for (Rotor rotor : upper) {
+    rotor.direction = -rotor.direction;
+    vehicle.rotors.push_back(rotor);
+  }
+  EXPECT_EQ(count(vehicleUrdf(vehicle), "radius=\"0\""), 0);
+}
+
 TEST(VehicleUrdf, NamesCannotBreakIt) {
   Vehicle vehicle = test::pelican();
   vehicle.name = "a\"<&b";

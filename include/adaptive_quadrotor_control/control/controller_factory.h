@@ -17,7 +17,7 @@ std::vector<std::string> controllerNames();
 /// what the law may know of the airframe. Throws ParameterError; does not call reader.finish().
 std::unique_ptr<Controller> makeController(const ParameterReader& reader, const Vehicle& vehicle);
 
-/// The law of a YAML file (config/controller/*.yaml).
+/// The law of a YAML file (config/controller/*.yaml). Throws ParameterError.
 std::unique_ptr<Controller> loadController(const std::string& path, const Vehicle& vehicle);
 
 }  // namespace aqc

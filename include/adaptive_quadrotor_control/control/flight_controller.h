@@ -11,6 +11,7 @@ namespace aqc {
 /// the whole control step; the nodelet, the offline flight and the benchmark all run this class.
 class FlightController {
  public:
+  /// `law` must not be null.
   FlightController(const Vehicle& vehicle, std::unique_ptr<Controller> law);
 
   /// One step of `dt` seconds (> 0). Without a set point (null) the rotors stand still and the

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "adaptive_quadrotor_control/control/flight_controller.h"
+#include "adaptive_quadrotor_control/control/controller.h"
 
 namespace aqc {
 

@@ -66,7 +66,7 @@ class SwitchedSubsystem {
   /// do not hold.
   explicit SwitchedSubsystem(const SubsystemParameters& parameters);
 
-  /// The law with the gains as they are; a larger boundary layer than 0 is required.
+  /// The law with the gains as they are. `boundary_layer` is varpi > 0.
   SwitchedOutput output(const SwitchedInput& in, double boundary_layer) const noexcept;
 
   /// Eqs. hat_theta1, hat_theta, zeta over `dt` seconds while the subsystem is active; gamma rests.

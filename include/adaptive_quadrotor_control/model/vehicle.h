@@ -36,7 +36,7 @@ struct Vehicle {
   double time_constant_down = 0.0;          ///< of a rotor that slows down [s], >= 0
   double drag_coefficient = 0.0;            ///< c_d [N s^2/(rad m)], >= 0
   double rolling_moment_coefficient = 0.0;  ///< c_r [N s^2/rad], >= 0
-  double gear_height = 0.0;                 ///< from the ground to the origin of B [m]
+  double gear_height = 0.0;                 ///< from the ground to the origin of B [m], > 0
   double gear_radius = 0.0;                 ///< of the circle of four feet [m], > 0
 
   /// Largest thrust all rotors give together [N].
@@ -47,7 +47,7 @@ struct Vehicle {
 /// Throws ParameterError, also when the rotors cannot give thrust and every moment independently.
 Vehicle readVehicle(const ParameterReader& reader);
 
-/// The vehicle of a YAML file.
+/// The vehicle of a YAML file. Throws ParameterError.
 Vehicle loadVehicle(const std::string& path);
 
 }  // namespace aqc

@@ -10,7 +10,8 @@ namespace aqc {
 /// The set point of one instant of a trajectory: position to acceleration, yaw and its rate.
 SetPoint toSetPoint(const FlatOutput& output);
 
-/// A trajectory that begins at `begin` as set points, one every `period` (> 0) and one at its end.
+/// A trajectory that begins at `begin` as set points, one every `period` and one at its end. Throws
+/// std::invalid_argument unless the period is > 0.
 std::vector<TimedSetPoint> sample(const PolynomialTrajectory& trajectory, Nanoseconds begin,
                                   Nanoseconds period);
 

@@ -22,17 +22,17 @@ class SetPointSchedule {
   /// last one holds.
   explicit SetPointSchedule(std::vector<TimedSetPoint> set_points);
 
-  /// The set point that holds at `now`, or null before the first one's time. `now` must not go
-  /// back between calls; amortised constant time, no allocation.
+  /// The set point that holds at `now`, or null before the first one's time; it is there until the
+  /// next replace(). `now` must not go back between calls; amortised constant time, no allocation.
   const SetPoint* at(Nanoseconds now) noexcept;
 
-  /// Replaces everything planned after `now` by `set_points` (times must not decrease). What holds
-  /// at `now` goes on holding until the first of them begins.
+  /// Replaces everything planned after `now` by `set_points`. What holds at `now` goes on holding
+  /// until the first of them begins. Throws std::invalid_argument, and changes nothing, when their
+  /// times decrease.
   void replace(Nanoseconds now, std::vector<TimedSetPoint> set_points);
 
   /// Set points that have not begun yet.
   std::size_t pending() const noexcept;
-  const std::vector<TimedSetPoint>& all() const noexcept { return set_points_; }
 
  private:
   std::vector<TimedSetPoint> set_points_;

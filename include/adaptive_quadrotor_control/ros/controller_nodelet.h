@@ -8,8 +8,10 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "adaptive_quadrotor_control/control/flight_controller.h"
+#include "adaptive_quadrotor_control/control/step_clock.h"
 #include "adaptive_quadrotor_control/model/time.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 #include "adaptive_quadrotor_control/ros/flight_diagnostics.h"
@@ -19,7 +21,7 @@
 
 namespace aqc {
 
-/// The control law in ROS: a thin shell around FlightController.
+/// The control law in ROS: a thin shell around FlightController and the StepClock that drives it.
 ///
 /// In: `odometry`, `command/trajectory`, `command/pose`; `imu` and `active_subsystem` for laws that
 /// need them. Out: `command/motor_speed`, `~state`.
@@ -46,8 +48,9 @@ class ControllerNodelet : public nodelet::Nodelet {
   void onTimer(const ros::TimerEvent& event);
 
   void accept(std::vector<TimedSetPoint> set_points, Nanoseconds now, const ros::Time& stamp);
-  void answer();
-  void step(Nanoseconds now, double dt);
+  void dropOdometry(const char* reason);
+  void dropSetPoint(const char* what, const std::invalid_argument& error);
+  void step(Nanoseconds now);
   std::string swapLaw(PreparedLaw& prepared);
   void publishMotors();
   void publishState();
@@ -56,15 +59,10 @@ class ControllerNodelet : public nodelet::Nodelet {
   SetPointSchedule schedule_;
   std::string law_name_;
   std::vector<std::string> adaptive_names_;
-  Nanoseconds period_ = 0;
-  bool odometry_triggers_ = false;
 
-  std::optional<State> state_;     // of the last good odometry
-  Nanoseconds odometry_time_ = 0;  // its stamp
-  std::optional<Nanoseconds> last_step_;
-  bool waiting_ = false;  // for the IMU sample that goes with the odometry
-  bool flying_ = false;   // a set point was active in the last step
-  SetPoint set_point_;
+  std::optional<StepClock> clock_;  // set by configure()
+  std::optional<State> state_;      // of the last good odometry
+  SetPoint set_point_;              // of the last step that had one
   ros::Time trajectory_stamp_;
   std::uint32_t dropped_odometry_ = 0;
   std::uint32_t dropped_set_points_ = 0;

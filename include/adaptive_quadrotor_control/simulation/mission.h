@@ -39,8 +39,8 @@ struct Mission {
 ///     switch: {at, subsystem}                         laws without subsystems ignore it
 ///
 /// `at` is a time in seconds; without it the entry begins when the last leg (step, path, sine or
-/// hold) ends. `yaw_deg` stays as it was when not given. Entries stand in the order of their times,
-/// and a leg begins no earlier than the last one ends.
+/// hold) ends. `yaw_deg` stays as it was when not given. Entries stand in the order of the times at
+/// which they begin, and a leg begins no earlier than the last one ends.
 ///
 /// A path or a sine becomes set points with velocity and acceleration, one every
 /// `set_point_period`. Throws ParameterError.

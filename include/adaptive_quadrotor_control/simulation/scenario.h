@@ -42,8 +42,10 @@ struct Scenario {
   Nanoseconds lastPayloadChange() const;
 };
 
-/// Reads and validates a scenario. Throws ParameterError.
+/// Reads and validates a scenario; does not call reader.finish(). Throws ParameterError.
 Scenario readScenario(const ParameterReader& reader);
+
+/// The scenario of a YAML file. Throws ParameterError.
 Scenario loadScenario(const std::string& path);
 
 }  // namespace aqc
