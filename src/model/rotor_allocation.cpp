@@ -1,6 +1,6 @@
 #include "adaptive_quadrotor_control/model/rotor_allocation.h"
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -44,7 +44,9 @@ RotorAllocation::RotorAllocation(const Vehicle& vehicle)
     forward_.col(i) << 1.0, hub.y(), -hub.x(), -rotor.direction * vehicle.moment_constant;
   }
   forward_ *= vehicle.force_constant;
-  inverse_ = forward_.completeOrthogonalDecomposition().pseudoInverse();
+  // The four rows are independent on any vehicle that wellPosed() accepts.
+  const Eigen::Matrix4d gram = forward_ * forward_.transpose();
+  inverse_ = forward_.transpose() * gram.inverse();
 }
 
 bool RotorAllocation::wellPosed() const {

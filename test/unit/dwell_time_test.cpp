@@ -41,9 +41,10 @@ TEST(Lyapunov, RefusesWhatHasNoLyapunovFunction) {
   const auto refusal = [](const Eigen::MatrixXd& A, const Eigen::MatrixXd& weight) {
     return test::refusal<std::domain_error>([&] { solveLyapunov(A, weight); });
   };
-  EXPECT_THROW(solveLyapunov(companion(1.0, 0.0), Q), std::domain_error);  // oscillates
-  EXPECT_EQ(refusal(companion(-2.0, -1.0), Q),                             // diverges
-            "A has an eigenvalue of real part 2; every one must be < 0");
+  EXPECT_EQ(refusal(companion(1.0, 0.0), Q).substr(0, 35), "A is not Hurwitz, or badly scaled: ")
+      << "oscillates";
+  EXPECT_EQ(refusal(companion(-2.0, -1.0), Q),  // diverges
+            "A is not Hurwitz: P has the eigenvalue -0.309016994375; every one must be > 0");
   EXPECT_EQ(refusal(companion(1.0, 1.0), -Q), "Q has the eigenvalue -1; every one must be > 0");
   Eigen::Matrix2d skew = Q;
   skew(0, 1) = 0.1;

@@ -8,8 +8,8 @@ namespace aqc {
 ///
 /// `A` is n x n and must be Hurwitz (every eigenvalue's real part < 0), `Q` n x n symmetric
 /// positive definite. Solved as one linear system of n^2 unknowns: meant for loading, n up to
-/// about 10. Throws std::domain_error when A is not Hurwitz, when Q is not symmetric positive
-/// definite, when P is not, or when the residual exceeds 1e-9 of Q.
+/// about 10. Throws std::domain_error when A is not Hurwitz (by Lyapunov's theorem: no such P
+/// exists), when Q is not symmetric positive definite, or when the residual exceeds 1e-9 of Q.
 Eigen::MatrixXd solveLyapunov(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q);
 
 /// Smallest and largest eigenvalue of a symmetric matrix.
