@@ -1,10 +1,10 @@
 #include "adaptive_quadrotor_control/control/lyapunov.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <stdexcept>
 #include <string>
 
+#include "adaptive_quadrotor_control/model/eigenvalues.h"
 #include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {
@@ -37,11 +37,6 @@ Eigen::MatrixXd lyapunovOperator(const Eigen::MatrixXd& A) {
 }
 
 }  // namespace
-
-EigenvalueRange eigenvalueRange(const Eigen::MatrixXd& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
-  return {solver.eigenvalues().minCoeff(), solver.eigenvalues().maxCoeff()};
-}
 
 Eigen::MatrixXd solveLyapunov(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q) {
   const Eigen::Index n = A.rows();

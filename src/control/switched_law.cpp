@@ -6,6 +6,7 @@
 #include <string>
 
 #include "adaptive_quadrotor_control/control/lyapunov.h"
+#include "adaptive_quadrotor_control/model/eigenvalues.h"
 #include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_quadrotor_control/control/lyapunov.h"
 
 namespace aqc {
 namespace {

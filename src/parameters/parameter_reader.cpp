@@ -1,9 +1,10 @@
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <fstream>
 #include <utility>
+
+#include "adaptive_quadrotor_control/model/eigenvalues.h"
 
 namespace aqc {
 namespace {
@@ -217,10 +218,7 @@ Eigen::Vector3d ParameterReader::vector3(const std::string& key, const Range& ra
 
 void ParameterReader::requirePositiveDefinite(const std::string& key,
                                               const Eigen::MatrixXd& symmetric) const {
-  const double smallest =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
-          .eigenvalues()
-          .minCoeff();
+  const double smallest = eigenvalueRange(symmetric).min;
   if (!(smallest > 0.0)) {
     refuse(key, "is " + valueText(key) + ", whose smallest eigenvalue is " + numberText(smallest) +
                     "; it must be positive definite (every eigenvalue > 0)");

@@ -12,11 +12,4 @@ namespace aqc {
 /// exists), when Q is not symmetric positive definite, or when the residual exceeds 1e-9 of Q.
 Eigen::MatrixXd solveLyapunov(const Eigen::MatrixXd& A, const Eigen::MatrixXd& Q);
 
-/// Smallest and largest eigenvalue of a symmetric matrix.
-struct EigenvalueRange {
-  double min;
-  double max;
-};
-EigenvalueRange eigenvalueRange(const Eigen::MatrixXd& symmetric);
-
 }  // namespace aqc
