@@ -3,16 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "curve.h"
+
 namespace aqc {
 
-/// A column of a CSV file against time: scale * value + offset, up to the time `until` [s].
+/// A line against time [s].
 struct Curve {
-  std::string file;
-  std::string column;
+  Points points;
   std::string style;  ///< gnuplot: colour, width, dashes
-  double until = 0.0;
-  double scale = 1.0;
-  double offset = 0.0;
 };
 
 /// The point at which a flight ended early.
@@ -31,7 +29,7 @@ struct Panel {
   std::vector<EndPoint> ends;
 };
 
-/// Everything about a figure but where the numbers are: those stay in the CSV files.
+/// Everything about a figure.
 struct Figure {
   struct KeyEntry {
     std::string title;
@@ -51,7 +49,9 @@ struct Figure {
   std::vector<Phase> phases;  ///< shaded
 };
 
-/// The gnuplot script that draws `figure` as `figure.name`.png in the current folder.
+/// The gnuplot script that draws `figure` as `figure.name`.png in the current folder. It holds as
+/// many points of every curve as the picture can show: gnuplot needs a second to read a minute of a
+/// CSV file, and again for every curve.
 std::string figureScript(const Figure& figure);
 
 }  // namespace aqc

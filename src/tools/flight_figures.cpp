@@ -117,11 +117,10 @@ class FigureBuilder {
   // Names in the legend those flights that have a curve in the figure.
   void addFlightKeys(Figure& figure) const {
     for (const PlottedFlight& flight : flights_) {
-      const std::string file = csvName(*flight.log);
+      const std::string style = lineStyle(flight.colour, kCurveWidth);
       const auto draws = [&](const Panel& panel) {
-        return std::any_of(panel.curves.begin(), panel.curves.end(), [&](const Curve& curve) {
-          return curve.file == file && curve.style != kTruthStyle;
-        });
+        return std::any_of(panel.curves.begin(), panel.curves.end(),
+                           [&](const Curve& curve) { return curve.style == style; });
       };
       if (std::any_of(figure.panels.begin(), figure.panels.end(), draws)) {
         figure.key.push_back({flight.title, lineStyle(flight.colour, kKeyWidth)});
@@ -137,16 +136,11 @@ class FigureBuilder {
     setRange(panel, readableRange(flights_, column, reference), scale);
     for (const PlottedFlight& flight : flights_) {
       if (flight.extent(column).empty()) continue;
-      panel.curves.push_back({csvName(*flight.log), column, lineStyle(flight.colour, kCurveWidth),
-                              flight.end, scale, 0.0});
+      panel.curves.push_back(
+          {flight.line(column, scale, 0.0), lineStyle(flight.colour, kCurveWidth)});
       if (const auto end = flight.endPoint(column, scale)) panel.ends.push_back(*end);
     }
     return panel;
-  }
-
-  // What the flights are compared with; drawn on top, thin and dashed.
-  Curve sharedCurve(const PlottedFlight& flight, const std::string& column, double offset) const {
-    return {csvName(*flight.log), column, kTruthStyle, duration_, 1.0, offset};
   }
 
   Figure vectors(const std::string& what, const VectorColumns& columns) const {
@@ -162,7 +156,8 @@ class FigureBuilder {
       Panel panel = panelOf(component + columns.label, columns.prefix + component + columns.unit,
                             columns.scale, reference);
       if (has_set_point) {
-        panel.curves.insert(panel.curves.begin(), sharedCurve(flights_.front(), set_point, 0.0));
+        panel.curves.insert(panel.curves.begin(),
+                            {flights_.front().line(set_point, 1.0, 0.0), kTruthStyle});
       }
       figure.panels.push_back(panel);
     }
@@ -203,7 +198,8 @@ class FigureBuilder {
     truth.low += vehicle_.mass;
     truth.high += vehicle_.mass;
     Panel panel = panelOf("mass estimate [kg]", kMassEstimate, 1.0, truth);
-    panel.curves.insert(panel.curves.begin(), sharedCurve(estimator, kPayloadMass, vehicle_.mass));
+    panel.curves.insert(panel.curves.begin(),
+                        {estimator.line(kPayloadMass, 1.0, vehicle_.mass), kTruthStyle});
     return panel;
   }
 
@@ -223,11 +219,11 @@ class FigureBuilder {
     Panel panel;
     panel.label = flight.log->controller + " [rad/s]";
     panel.high = 1.08 * vehicle_.max_rotor_speed;
-    const std::string file = csvName(*flight.log);
-    panel.curves.push_back({file, "t [s]", kLimitStyle, duration_, 0.0, vehicle_.max_rotor_speed});
+    const double limit = vehicle_.max_rotor_speed;
+    panel.curves.push_back({{{0.0, limit}, {duration_, limit}}, kLimitStyle});
     for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
-      panel.curves.push_back({file, "rotor_" + std::to_string(i + 1) + " [rad/s]",
-                              lineStyle(paletteColour(i), kRotorWidth), flight.end, 1.0, 0.0});
+      panel.curves.push_back({flight.line("rotor_" + std::to_string(i + 1) + " [rad/s]", 1.0, 0.0),
+                              lineStyle(paletteColour(i), kRotorWidth)});
     }
     if (auto end = flight.endPoint("rotor_1 [rad/s]", 1.0)) {
       end->value = 0.0;
@@ -276,7 +272,7 @@ std::vector<std::string> drawFigures(const std::string& folder, const std::vecto
   for (const auto& [name, script] : scripts) {
     writeFile((fs::path(folder) / (name + ".gnuplot")).string(), script);
   }
-  // Side by side: reading the CSV files takes gnuplot a second or two a figure.
+  // Side by side: there may be several processors.
   std::vector<std::unique_ptr<Gnuplot>> runs;
   for (const auto& entry : scripts) {
     runs.push_back(std::make_unique<Gnuplot>(folder, entry.first + ".gnuplot"));

@@ -16,6 +16,7 @@ struct View {
 
 constexpr std::array<View, 2> kViews = {
     {{{0, 1}, "from above", true}, {{0, 2}, "from the side", false}}};
+constexpr int kHeight = 860;  // of the picture [pixels]
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 // Everything that must be seen along one axis: set points, walls, and flights up to a little
@@ -44,8 +45,23 @@ void writeWalls(std::ostream& out, const Scenario& scenario, const View& view) {
   }
 }
 
-std::string column(const std::string& prefix, Eigen::Index axis) {
-  return "'" + prefix + kAxes[static_cast<std::size_t>(axis)] + " [m]'";
+// Where a flight, or its set point, went: two columns against each other, and what to call them.
+struct Path {
+  const PlottedFlight& flight;
+  std::string prefix;  // of the columns
+  std::string style;
+  std::string title;
+};
+
+Points line(const Path& path, const View& view) {
+  const auto column = [&](std::size_t i) {
+    const auto axis = static_cast<std::size_t>(view.axes[i]);
+    return path.flight.line(path.prefix + kAxes[axis] + " [m]", 1.0, 0.0);
+  };
+  Points points = column(1);
+  const Points across = column(0);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].x = across[i].y;
+  return points;
 }
 
 void writeCrashes(std::ostream& out, const std::vector<PlottedFlight>& flights, const View& view) {
@@ -60,8 +76,28 @@ void writeCrashes(std::ostream& out, const std::vector<PlottedFlight>& flights, 
   }
 }
 
+// Returns the names of the data blocks.
+std::vector<std::string> writePaths(std::ostream& out, const std::vector<Path>& paths,
+                                    const Scenario& scenario, const View& view) {
+  const double finest = std::min(extentAlong(view.axes[0], scenario).span(),
+                                 extentAlong(view.axes[1], scenario).span());
+  std::vector<std::string> blocks;
+  for (const Path& path : paths) {
+    blocks.push_back(std::string("$") + kAxes[static_cast<std::size_t>(view.axes[1])] + "_path" +
+                     std::to_string(blocks.size() + 1));
+    writeDataBlock(out, blocks.back(), thinnedPath(line(path, view), finest / kHeight));
+  }
+  return blocks;
+}
+
 void writeView(std::ostream& out, const std::vector<PlottedFlight>& flights,
                const Scenario& scenario, const View& view) {
+  std::vector<Path> paths;
+  for (const PlottedFlight& flight : flights) {
+    paths.push_back({flight, "", lineStyle(flight.colour, 2.4), flight.title});
+  }
+  paths.push_back({flights.front(), "set_", "lw 1.6 dt (9,6) lc rgb '#202020'", "set point"});
+  const std::vector<std::string> blocks = writePaths(out, paths, scenario, view);
   writeWalls(out, scenario, view);
   writeCrashes(out, flights, view);
   const char* names[2] = {"x", "y"};
@@ -75,14 +111,11 @@ void writeView(std::ostream& out, const std::vector<PlottedFlight>& flights,
       << (view.equal_scale ? "set size ratio -1\nunset key\n"
                            : "set size noratio\nset key left top Left reverse samplen 2.5\n")
       << "plot ";
-  for (const PlottedFlight& flight : flights) {
-    out << "'./" << csvName(*flight.log) << "' using " << column("", view.axes[0]) << ":(until("
-        << flight.end << ", column(" << column("", view.axes[1]) << "))) with lines lw 2.4 lc rgb '"
-        << flight.colour << "' title \"" << flight.title << "\", \\\n     ";
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    out << (i > 0 ? ", \\\n     " : "") << blocks[i] << " with lines " << paths[i].style
+        << " title " << quoted(paths[i].title);
   }
-  out << "'./" << csvName(*flights.front().log) << "' using " << column("set_", view.axes[0]) << ":"
-      << column("set_", view.axes[1])
-      << " with lines lw 1.6 dt (9,6) lc rgb '#202020' title 'set point'\n"
+  out << "\n"
       << "unset object\nunset label\n";
 }
 
@@ -90,14 +123,14 @@ void writeView(std::ostream& out, const std::vector<PlottedFlight>& flights,
 
 std::string pathScript(const std::vector<PlottedFlight>& flights, const Scenario& scenario) {
   std::ostringstream out;
-  out << "# Draws path.png from the CSV files of this folder:\n#   gnuplot path.gnuplot\n"
-      << "set terminal pngcairo noenhanced size 1600,860 font 'Sans,15' background '#ffffff'\n"
-      << "set output 'path.png'\nset encoding utf8\nset datafile separator ','\n"
-      << "until(end, value) = column('t [s]') <= end ? value : NaN\n"
+  out << "# Draws path.png: gnuplot path.gnuplot\n"
+      << "set terminal pngcairo noenhanced size 1600," << kHeight
+      << " font 'Sans,15' background '#ffffff'\n"
+      << "set output 'path.png'\nset encoding utf8\n"
       << "set border 3 lc rgb '#808080'\nset tics nomirror out scale 0.6 tc rgb '#303030'\n"
       << "set grid lc rgb '#dddddd' lw 1 lt 1\n"
-      << "set multiplot layout 1,2 margins 0.06,0.98,0.09,0.88 spacing 0.07 title \""
-      << scenario.title << " \u2013 path\" font 'Sans Bold,17'\n";
+      << "set multiplot layout 1,2 margins 0.06,0.98,0.09,0.88 spacing 0.07 title "
+      << quoted(scenario.title + " \u2013 path") << " font 'Sans Bold,17'\n";
   for (const View& view : kViews) writeView(out, flights, scenario, view);
   out << "unset multiplot\n";
   return out.str();

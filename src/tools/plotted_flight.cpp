@@ -54,6 +54,17 @@ Extent PlottedFlight::extent(const std::string& name) const {
   return extent;
 }
 
+Points PlottedFlight::line(const std::string& name, double scale, double offset) const {
+  Points points;
+  const FlightColumn* column = find(name);
+  if (column == nullptr) return points;
+  for (const FlightSample& sample : log->samples) {
+    const double time = toSeconds(sample.time);
+    if (time <= end) points.push_back({time, scale * column->value(sample) + offset});
+  }
+  return points;
+}
+
 std::optional<EndPoint> PlottedFlight::endPoint(const std::string& name, double scale) const {
   const FlightColumn* column = find(name);
   if (!log->crash_time || column == nullptr) return std::nullopt;

@@ -32,6 +32,8 @@ struct PlottedFlight {
   const FlightColumn* find(const std::string& name) const;
   /// Of a column until `end`: what lies on the ground afterwards tells nothing.
   Extent extent(const std::string& name) const;
+  /// A column against time until `end`: scale * value + offset. Empty without that column.
+  Points line(const std::string& name, double scale, double offset) const;
   /// The last value of a column before the crash, if there was one.
   std::optional<EndPoint> endPoint(const std::string& name, double scale) const;
 };

@@ -50,8 +50,8 @@ void addPanel(Figure& figure, const PlottedFlight& flight, const std::string& la
     if (flight.find(lines[i].column) == nullptr) continue;
     range.include(extentAfter(flight, lines[i].column, from));
     const std::string colour = paletteColour(first_colour + i);
-    panel.curves.push_back({csvName(*flight.log), lines[i].column,
-                            lineStyle(colour, kWidth) + lines[i].dashes, flight.end, scale, 0.0});
+    panel.curves.push_back(
+        {flight.line(lines[i].column, scale, 0.0), lineStyle(colour, kWidth) + lines[i].dashes});
     if (!lines[i].title.empty()) {
       figure.key.push_back({lines[i].title, lineStyle(colour, kKeyWidth) + lines[i].dashes});
     }

@@ -10,11 +10,11 @@
 
 namespace aqc {
 
-/// Draws flights of one scenario with gnuplot into `folder`, where writeFlightFiles() has put their
-/// CSV files: position, position_error, attitude_error, rotors and, when a law adapts anything,
-/// adaptation; instead of that for a law with subsystems switching and subsystem_1, .. Each figure
-/// is a PNG and the gnuplot script that made it, for users to change and run again. Figures of
-/// these names from an earlier flight are removed first.
+/// Draws flights of one scenario with gnuplot into `folder`: position, position_error,
+/// attitude_error, rotors and, when a law adapts anything, adaptation; instead of that for a law
+/// with subsystems switching and subsystem_1, .. Each figure is a PNG and the gnuplot script that
+/// made it, numbers included, for users to change and run again. Figures of these names from an
+/// earlier flight are removed first.
 ///
 /// Returns the paths of the PNGs. `progress` (may be empty) is told the share done, 0 to 1. Throws
 /// std::runtime_error when gnuplot is missing (the scripts are there then) or fails, or when
