@@ -6,6 +6,7 @@
 #include "adaptive_quadrotor_control/tools/flight_figures.h"
 #include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "adaptive_quadrotor_control/tools/flight_table.h"
+#include "adaptive_quadrotor_control/tools/recording.h"
 
 namespace {
 
@@ -23,6 +24,9 @@ int flyMission() {
             << std::flush;
   if (out.empty()) return 0;
   aqc::writeFlightFiles(out, logs);
+  const ros::NodeHandle node;
+  aqc::writeFlightSetting(out, aqc::parameterTree(node, "scenario"),
+                          aqc::parameterTree(node, "vehicle"));
   aqc::writeJson(out + "/metrics.json", logs, mission.scenario());
   if (plots) aqc::drawFigures(out, logs, mission.scenario(), mission.vehicle(), {});
   return 0;

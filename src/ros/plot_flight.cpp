@@ -1,12 +1,13 @@
-// Draws recorded flights: the figures of fly, from bags; several lie over each other.
+// Draws recorded flights: the figures of fly, from bags and CSV files; several lie over each other.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/tools/flight_csv.h"
 #include "adaptive_quadrotor_control/tools/flight_figures.h"
 #include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "recorded_flight.h"
@@ -14,29 +15,28 @@
 namespace aqc {
 namespace {
 
-void run(const std::vector<std::string>& bags, const std::string& folder) {
-  std::vector<FlightLog> logs;
-  RecordedFlight first;
-  Scenario scenario;
-  for (const std::string& bag : bags) {
-    RecordedFlight flight = readBag(bag);
-    for (const FlightLog& other : logs) {
-      if (other.controller == flight.log.controller) {
-        throw std::runtime_error("two recordings are called '" + other.controller +
-                                 "'; curves are named by their files");
-      }
-    }
-    logs.push_back(flight.log);
-    if (logs.size() == 1) {
-      scenario = flight.scenario;
-      first = std::move(flight);
-    } else {
-      scenario.title += " and " + flight.log.controller;
-      scenario.duration = std::max(scenario.duration, flight.scenario.duration);
-    }
+namespace fs = std::filesystem;
+
+// What a bag holds as CSV, too.
+void writeCsv(const Recording& recording, const fs::path& folder) {
+  const std::string name = fs::path(recording.path).stem().string() + ".csv";
+  writeFile((folder / name).string(), flightCsv(recording.log));
+}
+
+void run(const std::vector<std::string>& files, const std::string& folder) {
+  makeFolder(folder);
+  std::vector<Recording> recordings;
+  for (const std::string& file : files) {
+    const bool csv = fs::path(file).extension() == ".csv";
+    recordings.push_back(csv ? readCsvRecording(file) : readBag(file));
+    if (!csv) writeCsv(recordings.back(), folder);
   }
-  writeFlightFiles(folder, logs);
-  for (const std::string& path : drawFigures(folder, logs, scenario, first.vehicle, {})) {
+  nameApart(recordings);
+  const Scenario scenario = jointScenario(recordings);
+  std::vector<FlightLog> logs;
+  for (Recording& recording : recordings) logs.push_back(std::move(recording.log));
+  for (const std::string& path :
+       drawFigures(folder, logs, scenario, recordings.front().vehicle, {})) {
     std::cout << path << "\n";
   }
 }
@@ -46,17 +46,19 @@ void run(const std::vector<std::string>& bags, const std::string& folder) {
 
 int main(int argc, char** argv) {
   CLI::App app("Draws recorded flights; several lie over each other.", "plot_flight");
-  std::vector<std::string> bags;
+  std::vector<std::string> files;
   std::string folder = "flight/recorded";
-  app.add_option("bags", bags, "recordings, e.g. of demo.launch record:=true")
+  app.add_option("files", files,
+                 "bags, e.g. of demo.launch record:=true, and CSV files of fly, in any order")
       ->required()
       ->check(CLI::ExistingFile)
-      ->type_name("FILE.bag ...");
-  app.add_option("-o,--out", folder, "folder for CSV and figures, made if need be")
+      ->type_name("FILE.bag|FILE.csv ...");
+  app.add_option("-o,--out", folder,
+                 "folder for figures, and for CSV files of what bags hold, made if need be")
       ->type_name("FOLDER");
   CLI11_PARSE(app, argc, argv);
   try {
-    aqc::run(bags, folder);
+    aqc::run(files, folder);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "plot_flight: " << error.what() << std::endl;

@@ -4,9 +4,11 @@
 #include <rosbag/view.h>
 #include <std_msgs/String.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "adaptive_quadrotor_control/PlantStatus.h"
@@ -34,76 +36,70 @@ class Reader {
     }
   }
 
-  RecordedFlight take(const std::string& path) {
-    RecordedFlight flight;
-    if (samples_.empty()) throw std::runtime_error("'" + path + "' holds no flight");
+  Recording take(const std::string& path) {
+    Recording recording;
+    recording.path = path;
+    if (!begin_) throw std::runtime_error("'" + path + "' holds no flight");
     if (parameters_.empty()) {
       throw std::runtime_error("'" + path +
                                "' lacks controller/parameters, which tell the vehicle");
     }
-    flight.vehicle = readVehicle(ParameterReader(YAML::Load(parameters_)["vehicle"], "vehicle"));
-    flight.log = std::move(log_);
-    flight.log.samples = std::move(samples_);
-    addTruth(flight.log);
-    const Nanoseconds begin = flight.log.samples.front().time;
-    for (FlightSample& sample : flight.log.samples) sample.time -= begin;
-    if (flight.log.crash_time) *flight.log.crash_time -= begin;
-    flight.log.controller = std::filesystem::path(path).stem().string();
-    flight.scenario = scenarioOf(flight.log);
-    return flight;
+    recording.vehicle = readVehicle(ParameterReader(YAML::Load(parameters_)["vehicle"], "vehicle"));
+    addTruth();
+    for (FlightSample& sample : log_.samples) sample.time -= *begin_;
+    if (log_.crash_time) *log_.crash_time -= *begin_;
+    recording.log = std::move(log_);
+    recording.scenario = scenarioOf(recording.log, std::filesystem::path(path).stem().string());
+    return recording;
   }
 
  private:
   void addState(const msgs::ControllerState& state) {
     const Nanoseconds time = toNanoseconds(state.header.stamp);
-    if (samples_.empty() && !state.flying) return;
-    if (!samples_.empty() && time <= samples_.back().time) return;
-    // Figures have one set of names: that of the law at the start.
-    if (samples_.empty()) log_.adaptive_names = state.adaptive_names;
-    samples_.push_back(toSample(state));
-    if (state.adaptive_names != log_.adaptive_names) samples_.back().telemetry.adaptive.resize(0);
+    if (!begin_ && state.flying) begin(time, toNanoseconds(state.trajectory_stamp), state);
+    if (!log_.samples.empty() && time <= log_.samples.back().time) return;
+    log_.samples.push_back(toSample(state));
+    if (begin_ && state.adaptive_names != log_.adaptive_names) {
+      log_.samples.back().telemetry.adaptive.resize(0);
+    }
   }
 
-  void addTruth(FlightLog& log) const {
-    for (FlightSample& sample : log.samples) {
+  // The first step that flies. Set points that were sent before with a stamp that the recording
+  // holds are a mission, whose time begins there.
+  void begin(Nanoseconds time, Nanoseconds sent, const msgs::ControllerState& state) {
+    auto& samples = log_.samples;
+    const bool mission = !samples.empty() && sent >= samples.front().time && sent <= time;
+    begin_ = mission ? sent : time;
+    const auto before = [this](const FlightSample& sample) { return sample.time < *begin_; };
+    samples.erase(std::remove_if(samples.begin(), samples.end(), before), samples.end());
+    // Figures have one set of names: that of the law at the start.
+    log_.controller = state.controller;
+    log_.adaptive_names = state.adaptive_names;
+  }
+
+  void addTruth() {
+    for (FlightSample& sample : log_.samples) {
       const auto later = truth_.upper_bound(sample.time);
       if (later == truth_.begin()) continue;
       const msgs::PlantStatus& truth = *std::prev(later)->second;
       sample.payload_mass = truth.payload_mass;
       sample.touching = truth.touching;
-      if (!truth.crashed || log.crash_time) continue;
-      log.crash_time = toNanoseconds(truth.crash_time);
-      log.crash_reason = truth.crash_reason;
+      sample.disturbance = {toEigen(truth.disturbance_force), toEigen(truth.disturbance_moment)};
+      if (!truth.crashed || log_.crash_time) continue;
+      log_.crash_time = toNanoseconds(truth.crash_time);
+      log_.crash_reason = truth.crash_reason;
     }
-  }
-
-  // The payload changes as they happened, not as they were planned.
-  static Scenario scenarioOf(const FlightLog& log) {
-    Scenario scenario;
-    scenario.name = scenario.title = log.controller;
-    scenario.duration = log.samples.back().time;
-    double mass = 0.0;
-    for (const FlightSample& sample : log.samples) {
-      if (sample.payload_mass == mass) continue;
-      if (mass > 0.0) scenario.events.push_back({sample.time, DetachPayload{}});
-      mass = sample.payload_mass;
-      if (mass == 0.0) continue;
-      AttachPayload attach;
-      attach.payload.mass = mass;
-      scenario.events.push_back({sample.time, attach});
-    }
-    return scenario;
   }
 
   FlightLog log_;
-  std::vector<FlightSample> samples_;
+  std::optional<Nanoseconds> begin_;  // none until something flies
   std::map<Nanoseconds, msgs::PlantStatus::ConstPtr> truth_;
   std::string parameters_;
 };
 
 }  // namespace
 
-RecordedFlight readBag(const std::string& path) {
+Recording readBag(const std::string& path) {
   try {
     rosbag::Bag bag(path, rosbag::bagmode::Read);
     Reader reader;

@@ -2,20 +2,14 @@
 
 #include <string>
 
-#include "adaptive_quadrotor_control/model/vehicle.h"
-#include "adaptive_quadrotor_control/simulation/flight_log.h"
+#include "adaptive_quadrotor_control/tools/recording.h"
 
 namespace aqc {
 
-/// What a bag tells of a flight.
-struct RecordedFlight {
-  FlightLog log;      ///< its time begins at 0 with the first step that flies
-  Vehicle vehicle;    ///< from the last `parameters` message
-  Scenario scenario;  ///< only what figures need: title, duration, payload changes
-};
-
-/// Reads controller/state, plant/status and controller/parameters, in whatever namespace they are.
-/// Throws std::runtime_error, naming the file and what is missing in it.
-RecordedFlight readBag(const std::string& path);
+/// The flight in a bag: controller/state, plant/status and controller/parameters, in whatever
+/// namespace they are. Its time begins at 0 with the mission, as in the CSV files of fly, or with
+/// the first step that flies where no mission did. Throws std::runtime_error, naming the file and
+/// what is missing in it.
+Recording readBag(const std::string& path);
 
 }  // namespace aqc

@@ -80,8 +80,9 @@ class FigureBuilder {
   FigureBuilder(const std::vector<FlightLog>& logs, const Scenario& scenario,
                 const Vehicle& vehicle)
       : scenario_(scenario), vehicle_(vehicle), duration_(toSeconds(scenario.duration)) {
-    for (const FlightLog& log : logs) {
-      flights_.push_back(plottedFlight(log, scenario, flights_.size()));
+    const std::vector<std::string> colours = flightColours(logs);
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      flights_.push_back(plottedFlight(logs[i], scenario, colours[i]));
     }
   }
 
@@ -170,7 +171,7 @@ class FigureBuilder {
     Figure figure = frame("what the control law adapts");
     const auto estimator = std::find_if(flights_.begin(), flights_.end(), estimatesMass);
     if (estimator != flights_.end()) {
-      figure.key.push_back({"true mass with payload", kTruthStyle});
+      if (vehicle_.mass > 0.0) figure.key.push_back({"true mass with payload", kTruthStyle});
       figure.panels.push_back(massPanel(*estimator));
     }
     std::vector<std::string> names;
@@ -194,10 +195,12 @@ class FigureBuilder {
 
   // `estimator` tells which payloads it really carried.
   Panel massPanel(const PlottedFlight& estimator) const {
+    const std::string label = "mass estimate [kg]";
+    if (!(vehicle_.mass > 0.0)) return panelOf(label, kMassEstimate, 1.0, {});
     Extent truth = estimator.extent(kPayloadMass);
     truth.low += vehicle_.mass;
     truth.high += vehicle_.mass;
-    Panel panel = panelOf("mass estimate [kg]", kMassEstimate, 1.0, truth);
+    Panel panel = panelOf(label, kMassEstimate, 1.0, truth);
     panel.curves.insert(panel.curves.begin(),
                         {estimator.line(kPayloadMass, 1.0, vehicle_.mass), kTruthStyle});
     return panel;
@@ -210,7 +213,9 @@ class FigureBuilder {
       figure.key.push_back(
           {"rotor " + std::to_string(i + 1), lineStyle(paletteColour(i), kKeyWidth)});
     }
-    figure.key.push_back({print("limit %g rad/s", vehicle_.max_rotor_speed), kLimitStyle});
+    if (vehicle_.max_rotor_speed > 0.0) {
+      figure.key.push_back({print("limit %g rad/s", vehicle_.max_rotor_speed), kLimitStyle});
+    }
     for (const PlottedFlight& flight : flights_) figure.panels.push_back(rotorPanel(flight));
     return figure;
   }
@@ -218,13 +223,15 @@ class FigureBuilder {
   Panel rotorPanel(const PlottedFlight& flight) const {
     Panel panel;
     panel.label = flight.log->controller + " [rad/s]";
-    panel.high = 1.08 * vehicle_.max_rotor_speed;
-    const double limit = vehicle_.max_rotor_speed;
-    panel.curves.push_back({{{0.0, limit}, {duration_, limit}}, kLimitStyle});
+    double limit = vehicle_.max_rotor_speed;
+    if (limit > 0.0) panel.curves.push_back({{{0.0, limit}, {duration_, limit}}, kLimitStyle});
     for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
-      panel.curves.push_back({flight.line("rotor_" + std::to_string(i + 1) + " [rad/s]", 1.0, 0.0),
-                              lineStyle(paletteColour(i), kRotorWidth)});
+      const std::string name = "rotor_" + std::to_string(i + 1) + " [rad/s]";
+      panel.curves.push_back(
+          {flight.line(name, 1.0, 0.0), lineStyle(paletteColour(i), kRotorWidth)});
+      if (!(vehicle_.max_rotor_speed > 0.0)) limit = std::max(limit, flight.extent(name).high);
     }
+    if (limit > 0.0) panel.high = 1.08 * limit;
     if (auto end = flight.endPoint("rotor_1 [rad/s]", 1.0)) {
       end->value = 0.0;
       panel.ends.push_back(*end);

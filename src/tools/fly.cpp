@@ -17,6 +17,7 @@
 #include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "adaptive_quadrotor_control/tools/flight_table.h"
 #include "adaptive_quadrotor_control/tools/progress_bar.h"
+#include "adaptive_quadrotor_control/tools/recording.h"
 #include "adaptive_quadrotor_control/tools/resources.h"
 
 namespace aqc {
@@ -83,8 +84,9 @@ void run(const Options& options) {
   const std::string scenario_path = findResource(config, "scenario", options.scenario);
   const Scenario scenario = loadScenario(scenario_path);
   checkLength(scenario);
-  const Vehicle vehicle = loadVehicle(findResource(
-      config, "vehicle", options.vehicle.empty() ? scenario.vehicle : options.vehicle));
+  const std::string vehicle_path =
+      findResource(config, "vehicle", options.vehicle.empty() ? scenario.vehicle : options.vehicle);
+  const Vehicle vehicle = loadVehicle(vehicle_path);
   std::vector<NamedController> controllers = loadControllers(
       config, options.controllers.empty() ? scenario.controllers : options.controllers, vehicle);
   const std::string folder =
@@ -97,6 +99,7 @@ void run(const Options& options) {
   }
   std::cout << flightTable(logs, scenario, vehicle, styleOfStdout()) << std::flush;
   writeFlightFiles(folder, logs);
+  writeFlightSetting(folder, loadYamlFile(scenario_path), loadYamlFile(vehicle_path));
   if (!options.json.empty()) writeJson(options.json, logs, scenario);
   if (!options.no_plots) {
     ProgressBar progress("drawing figures");

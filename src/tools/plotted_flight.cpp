@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
 namespace aqc {
 namespace {
@@ -13,13 +14,8 @@ namespace {
 constexpr std::array<const char*, 7> kPalette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                  "#e69f00", "#56b4e9", "#606060"};
 
-// The same law has the same colour whatever it is compared with.
-std::string colourOf(const std::string& controller, std::size_t index) {
-  static const std::map<std::string, std::size_t> known = {
-      {"asmc", 0}, {"smc", 1}, {"geometric", 2}, {"switched", 3}};
-  const auto found = known.find(controller);
-  return paletteColour(found != known.end() ? found->second : known.size() + index);
-}
+const std::map<std::string, std::size_t> kLawColours = {
+    {"asmc", 0}, {"smc", 1}, {"geometric", 2}, {"switched", 3}};
 
 std::string withTime(const char* what, double time) {
   char text[64];
@@ -76,12 +72,15 @@ std::optional<EndPoint> PlottedFlight::endPoint(const std::string& name, double 
   return point;
 }
 
-PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario, std::size_t index) {
-  const FlightMetrics metrics = measure(log, scenario);
+PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario,
+                            const std::string& colour) {
+  Scenario whole;  // of this flight, which may be shorter than others
+  whole.duration = log.samples.empty() ? 0 : std::min(scenario.duration, log.samples.back().time);
+  const FlightMetrics metrics = measure(log, whole);
   PlottedFlight flight;
   flight.log = &log;
-  flight.columns = flightColumns(log);
-  flight.colour = colourOf(log.controller, index);
+  flight.columns = flightColumns(layoutOf(log));
+  flight.colour = colour;
   flight.end = metrics.crash_time.value_or(metrics.duration);
   flight.title = log.controller;
   if (metrics.crash_time) {
@@ -90,6 +89,22 @@ PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario, std:
     flight.title += withTime("grounded at", *metrics.grounded_from);
   }
   return flight;
+}
+
+std::vector<std::string> flightColours(const std::vector<FlightLog>& logs) {
+  std::set<std::size_t> taken;
+  for (const FlightLog& log : logs) {
+    const auto law = kLawColours.find(log.controller);
+    if (law != kLawColours.end()) taken.insert(law->second);
+  }
+  std::vector<std::string> colours;
+  std::size_t next = 0;
+  for (const FlightLog& log : logs) {
+    const auto law = kLawColours.find(log.controller);
+    while (law == kLawColours.end() && taken.count(next) > 0) ++next;
+    colours.push_back(paletteColour(law != kLawColours.end() ? law->second : next++));
+  }
+  return colours;
 }
 
 std::string paletteColour(std::size_t index) {

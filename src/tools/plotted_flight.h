@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_quadrotor_control/tools/flight_files.h"
+#include "adaptive_quadrotor_control/tools/flight_columns.h"
 #include "figure_script.h"
 
 namespace aqc {
@@ -27,7 +27,7 @@ struct PlottedFlight {
   std::vector<FlightColumn> columns;
   std::string colour;
   std::string title;  ///< in the legend
-  double end = 0.0;   ///< when it crashed, otherwise the end of the scenario [s]
+  double end = 0.0;   ///< when it crashed, otherwise its last sample, within the scenario [s]
 
   const FlightColumn* find(const std::string& name) const;
   /// Of a column until `end`: what lies on the ground afterwards tells nothing.
@@ -38,8 +38,12 @@ struct PlottedFlight {
   std::optional<EndPoint> endPoint(const std::string& name, double scale) const;
 };
 
-/// `index`: of the flight among those in the figure.
-PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario, std::size_t index);
+PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario,
+                            const std::string& colour);
+
+/// A colour a flight. The same law has the same colour whatever it is compared with; flights that
+/// are not named after a law have the next ones that are free.
+std::vector<std::string> flightColours(const std::vector<FlightLog>& logs);
 
 /// Colour `index` of a palette that most colour-blind people can tell apart; repeats.
 std::string paletteColour(std::size_t index);

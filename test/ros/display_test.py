@@ -2,6 +2,7 @@
 """What rviz is shown, what it sends back, the picture it makes, and a recording of it all."""
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -171,11 +172,23 @@ class Display(unittest.TestCase):
         self.uav.sleep(2.0)
         self.recorder.terminate()
         self.recorder.wait(20)
-        subprocess.run([executable('plot_flight'), self.bag, '--out', self.folder.name], check=True,
+        subprocess.run([executable('fly'), 'hover_payload', '--controller', 'smc', '--no-plots',
+                        '--out', self.folder.name], check=True, timeout=100)
+        self.plot(self.bag)
+        self.assertTrue(os.path.exists(os.path.join(self.folder.name, 'test.csv')))
+        both = self.plot(self.bag, os.path.join(self.folder.name, 'smc.csv'))
+        names = re.findall(r"NaN with lines .* title '(.*)'", both)
+        self.assertEqual(names, ['set point', 'asmc', 'smc'])
+
+    def plot(self, *files):
+        """Draws recordings; returns the script of one of the figures."""
+        subprocess.run([executable('plot_flight'), *files, '--out', self.folder.name], check=True,
                        timeout=100)
         for name in ('position', 'position_error', 'attitude_error', 'adaptation', 'rotors'):
             size = os.path.getsize(os.path.join(self.folder.name, name + '.png'))
             self.assertGreater(size, 5000, name)
+        with open(os.path.join(self.folder.name, 'position.gnuplot')) as file:
+            return file.read()
 
 
 if __name__ == '__main__':

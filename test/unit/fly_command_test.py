@@ -87,7 +87,7 @@ class Flights(FlyTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         out = os.path.join(self.folder, "flight", "short")
         figures = ["position", "position_error", "attitude_error", "adaptation", "rotors"]
-        expected = {"asmc.csv", "geometric.csv"}
+        expected = {"asmc.csv", "geometric.csv", "flight.yaml"}
         expected |= {figure + end for figure in figures for end in (".png", ".gnuplot")}
         self.assertEqual(set(os.listdir(out)), expected)
         for figure in figures:
@@ -113,7 +113,8 @@ class Flights(FlyTest):
 
     def test_csv_reads_back(self):
         self.fly(self.scenario, "--controller", "asmc", "--out", "out", "--no-plots")
-        self.assertEqual(os.listdir(os.path.join(self.folder, "out")), ["asmc.csv"])
+        self.assertEqual(sorted(os.listdir(os.path.join(self.folder, "out"))),
+                         ["asmc.csv", "flight.yaml"])
         rows = list(csv.DictReader(read(self.folder, "out", "asmc.csv").splitlines()))
         self.assertEqual(len(rows), 400)
         self.assertEqual([row["t [s]"] for row in rows[:3]], ["0", "0.01", "0.02"])

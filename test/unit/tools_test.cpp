@@ -8,10 +8,13 @@
 #include <limits>
 #include <sstream>
 
+#include "adaptive_quadrotor_control/tools/flight_columns.h"
+#include "adaptive_quadrotor_control/tools/flight_csv.h"
 #include "adaptive_quadrotor_control/tools/flight_figures.h"
 #include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "adaptive_quadrotor_control/tools/flight_table.h"
 #include "adaptive_quadrotor_control/tools/progress_bar.h"
+#include "adaptive_quadrotor_control/tools/recording.h"
 #include "adaptive_quadrotor_control/tools/resources.h"
 
 namespace aqc {
@@ -105,7 +108,7 @@ TEST(FlightCsv, HasAColumnForEveryNumberAndALineForEverySample) {
   EXPECT_EQ(lines.back(), "");  // the last line is complete, too
   lines.pop_back();
   ASSERT_EQ(lines.size(), flight.samples.size() + 1);
-  const std::size_t columns = flightColumns(flight).size();
+  const std::size_t columns = flightColumns(layoutOf(flight)).size();
   for (const std::string& line : lines) EXPECT_EQ(split(line, ',').size(), columns);
   EXPECT_EQ(lines.front().rfind("t [s],x [m],y [m],z [m],roll [rad],", 0), 0u);
   for (const char* name : {"mass_estimate [kg]", "K_a", "K_b", "rotor_4 [rad/s]", "flying"}) {
@@ -115,29 +118,12 @@ TEST(FlightCsv, HasAColumnForEveryNumberAndALineForEverySample) {
   EXPECT_EQ(lines.front().find("rotor_5"), std::string::npos);
 }
 
-TEST(FlightCsv, NumbersComeBack) {
-  const FlightLog flight = log("good");
-  const std::vector<FlightColumn> columns = flightColumns(flight);
-  const std::vector<std::string> lines = split(flightCsv(flight), '\n');
-  for (const std::size_t row : {0u, 9u, 10u, 73u, 99u}) {
-    const std::vector<std::string> fields = split(lines[row + 1], ',');
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double value = columns[i].value(flight.samples[row]);
-      if (std::isnan(value)) {
-        EXPECT_EQ(fields[i], "") << columns[i].name;
-      } else {
-        EXPECT_NEAR(std::stod(fields[i]), value, 5e-9 * std::abs(value)) << columns[i].name;
-      }
-    }
-  }
-}
-
 TEST(FlightCsv, HasNoErrorsWithoutASetPoint) {
   const FlightLog flight = log("good");
   const auto missing = [&](const FlightColumn& column) {
     return std::isnan(column.value(flight.samples[9]));
   };
-  for (const FlightColumn& column : flightColumns(flight)) {
+  for (const FlightColumn& column : flightColumns(layoutOf(flight))) {
     const std::string kind = column.name.substr(0, column.name.find('_'));
     const bool active_only = kind == "set" || kind == "error" || kind == "desired" ||
                              kind == "sliding" || kind == "force";
@@ -253,6 +239,70 @@ TEST_F(ToolsInFolder, FiguresAreDrawnOrGnuplotIsMissed) {
   setenv("PATH", path_before.c_str(), 1);
   EXPECT_TRUE(fs::exists(folder_ / "position.gnuplot"));
   EXPECT_FALSE(fs::exists(folder_ / "position.png"));
+}
+
+Recording recorded(const std::string& path, const std::string& controller) {
+  Recording recording;
+  recording.path = path;
+  recording.log.controller = controller;
+  return recording;
+}
+
+std::vector<std::string> namesOf(std::vector<Recording> recordings) {
+  nameApart(recordings);
+  std::vector<std::string> names;
+  for (const Recording& recording : recordings) names.push_back(recording.log.controller);
+  return names;
+}
+
+TEST(Recordings, AreNamedByLawThenByFileThenByFolder) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(namesOf({recorded("a.bag", "asmc"), recorded("b.bag", "smc")}), (Names{"asmc", "smc"}));
+  EXPECT_EQ(namesOf({recorded("a.bag", "asmc"), recorded("b.bag", "asmc")}), (Names{"a", "b"}));
+  EXPECT_EQ(namesOf({recorded("old/asmc.csv", "asmc"), recorded("new/asmc.csv", "asmc")}),
+            (Names{"asmc (old)", "asmc (new)"}));
+  EXPECT_THROW(namesOf({recorded("a.bag", "asmc"), recorded("a.bag", "asmc")}), std::runtime_error);
+}
+
+TEST_F(ToolsInFolder, ACsvFileTellsItsFlight) {
+  writeFlightFiles(folder_.string(), {log("mine")});
+  const std::string path = (folder_ / "mine.csv").string();
+  const Recording alone = readCsvRecording(path);
+  EXPECT_EQ(alone.log.controller, "mine");
+  EXPECT_EQ(alone.vehicle.rotors.size(), 4u);
+  EXPECT_EQ(alone.vehicle.mass, 0.0);
+  EXPECT_EQ(alone.scenario.title, "mine");
+  EXPECT_EQ(alone.scenario.duration, fromSeconds(10.0));
+  EXPECT_EQ(alone.scenario.lastPayloadChange(), fromSeconds(4.0));
+
+  const std::string config = configFolder();
+  writeFlightSetting(folder_.string(), loadYamlFile(config + "/scenario/hover_payload.yaml"),
+                     loadYamlFile(config + "/vehicle/pelican.yaml"));
+  const Recording beside = readCsvRecording(path);
+  EXPECT_EQ(beside.scenario.name, "hover_payload");
+  EXPECT_EQ(beside.vehicle.mass, loadVehicle(config + "/vehicle/pelican.yaml").mass);
+  writeFile((folder_ / "flight.yaml").string(), "scenario: 1\n");
+  EXPECT_THROW(readCsvRecording(path), ParameterError);
+}
+
+TEST_F(ToolsInFolder, FlightsOfDifferentLengthAndAnUnknownVehicleAreDrawn) {
+  std::vector<Recording> recordings(2);
+  for (Recording& recording : recordings) recording.log = log("some");
+  recordings[0].log.samples.resize(30);
+  recordings[0].path = "short.csv";
+  recordings[1].path = "long.csv";
+  std::vector<FlightLog> logs;
+  nameApart(recordings);
+  for (Recording& recording : recordings) {
+    recording.scenario = scenarioOf(recording.log, recording.log.controller);
+    logs.push_back(recording.log);
+  }
+  const Scenario joint = jointScenario(recordings);
+  EXPECT_EQ(joint.title, "short and long");
+  EXPECT_EQ(joint.duration, fromSeconds(10.0));
+  Vehicle unknown;
+  unknown.rotors.resize(4);
+  EXPECT_EQ(drawFigures(folder_.string(), logs, joint, unknown, {}).size(), 5u);
 }
 
 TEST_F(ToolsInFolder, ResourcesAreFoundByNameAndByPath) {

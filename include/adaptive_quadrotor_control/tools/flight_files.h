@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -9,21 +8,6 @@
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
 namespace aqc {
-
-/// One number of every sample of a flight.
-struct FlightColumn {
-  std::string name;                                  ///< with its unit: "velocity_x [m/s]"
-  std::function<double(const FlightSample&)> value;  ///< not-a-number where there is none
-};
-
-/// All columns of the CSV file of `log`, in order; adaptive quantities by their name and as many
-/// rotor speeds as the vehicle has rotors. SI units, angles in rad, W is ENU, B is FLU. What
-/// belongs to a set point is not-a-number while none is active.
-std::vector<FlightColumn> flightColumns(const FlightLog& log);
-
-/// The flight as CSV (RFC 4180): one header line, then a line a sample. Times have 12 significant
-/// digits, all else 9; not-a-number is an empty field.
-std::string flightCsv(const FlightLog& log);
 
 /// Metrics of all flights [m, deg, s]:
 ///
