@@ -1,6 +1,7 @@
 // Draws recorded flights: the figures of fly, from bags and CSV files; several lie over each other.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -23,13 +24,31 @@ void writeCsv(const Recording& recording, const fs::path& folder) {
   writeFile((folder / name).string(), flightCsv(recording.log));
 }
 
+// A recorder that could not keep up leaves straight lines that nobody flew.
+void warnOfGaps(const Recording& recording) {
+  const auto& samples = recording.log.samples;
+  if (samples.size() < 2) return;
+  Nanoseconds period = recording.scenario.duration;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    period = std::min(period, samples[i].time - samples[i - 1].time);
+  }
+  const Nanoseconds steps = (samples.back().time - samples.front().time) / period + 1;
+  const Nanoseconds missing = steps - static_cast<Nanoseconds>(samples.size());
+  if (100 * missing < steps) return;  // a timer may be late
+  std::cerr
+      << "plot_flight: '" << recording.path << "' lacks " << missing << " of " << steps
+      << " control steps; record more slowly (lock_step:=false, a smaller real_time_factor)\n";
+}
+
 void run(const std::vector<std::string>& files, const std::string& folder) {
   makeFolder(folder);
   std::vector<Recording> recordings;
   for (const std::string& file : files) {
     const bool csv = fs::path(file).extension() == ".csv";
     recordings.push_back(csv ? readCsvRecording(file) : readBag(file));
-    if (!csv) writeCsv(recordings.back(), folder);
+    if (csv) continue;
+    warnOfGaps(recordings.back());
+    writeCsv(recordings.back(), folder);
   }
   nameApart(recordings);
   const Scenario scenario = jointScenario(recordings);
