@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Gains and laws changed in flight: by dynamic_reconfigure, and by rosparam and a reload."""
+import copy
 import os
 import sys
 import unittest
@@ -9,6 +10,7 @@ import rospy
 import rostest
 import yaml
 from dynamic_reconfigure.client import Client
+from std_msgs.msg import String
 from std_srvs.srv import Trigger
 from uav import PACKAGE, Uav
 
@@ -23,7 +25,7 @@ def gains_of(law):
 
 
 def leaves(tree, prefix=''):
-    """(names a number may have in dynamic_reconfigure, path of the number) of a tree of gains."""
+    """(names a gain may have in dynamic_reconfigure, its path) for all of a tree of gains."""
     entries = tree.items() if isinstance(tree, dict) else enumerate(tree)
     for key, value in entries:
         if isinstance(tree, dict):
@@ -36,7 +38,7 @@ def leaves(tree, prefix=''):
         if isinstance(value, (dict, list)):
             for found, path in leaves(value, names[0] + '_'):
                 yield found, [key] + path
-        elif not isinstance(value, str):
+        elif names != ['law']:
             yield names, [key]
 
 
@@ -46,38 +48,79 @@ def at(tree, path):
     return tree
 
 
+def replaced(tree, path, value):
+    """A copy of a tree with another value at a path."""
+    tree = copy.deepcopy(tree)
+    at(tree, path[:-1])[path[-1]] = value
+    return tree
+
+
+def other(value, number):
+    """A value that does as well, another one for every number from 1 on."""
+    if isinstance(value, str):
+        return {'refuse': 'warn', 'warn': 'refuse'}[value]
+    return value + 1 if isinstance(value, int) else (1.0 + 1e-4 * number) * value
+
+
 class Tuning(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('tuning_test')
         cls.uav = Uav()
         cls.uav.wait_until_ready()
+        cls.flown = {}  # the gains that fly, as the controller says after every change
+        rospy.Subscriber('/uav/controller/parameters', String, cls.take_flown)
         rospy.wait_for_service('/uav/controller/reload_parameters', timeout=20)
         cls.reload = rospy.ServiceProxy('/uav/controller/reload_parameters', Trigger)
         cls.uav.go(0, 0, 1.5)
         cls.uav.sleep(15.0)
+
+    @classmethod
+    def take_flown(cls, message):
+        with cls.uav.changed:
+            cls.flown = yaml.load(message.data, Loader=yaml.CSafeLoader)['gains']
+            cls.uav.changed.notify_all()
 
     def change_law(self, law):
         rospy.delete_param(GAINS)
         rospy.set_param(GAINS, gains_of(law))
         return self.reload()
 
-    def test_1_every_gain_is_reachable_both_ways(self):
+    def check_every_gain(self, law):
+        """Changes every gain both ways; `law` must be flying with the gains of its file."""
+        gains = gains_of(law)
         client = Client('/uav/controller/tuning', timeout=20)
-        before = rospy.get_param(GAINS)
-        for names, path in leaves(before):
-            name = next((name for name in names if name in client.get_configuration()), None)
-            self.assertIsNotNone(name, names)
-            value = 1.001 * at(before, path)
-            self.assertEqual(client.update_configuration({name: value})[name], value)
-            self.assertEqual(at(rospy.get_param(GAINS), path), value, name)
-        rospy.set_param(GAINS, before)
-        response = self.reload()
-        self.assertTrue(response.success, response.message)
-        rospy.sleep(0.5)
-        for names, path in leaves(before):
-            name = next(name for name in names if name in client.get_configuration())
-            self.assertEqual(client.get_configuration()[name], at(before, path))
+        paths = self.path_by_name(law, set(client.get_configuration()) - {'groups'})
+        for number, (name, path) in enumerate(paths.items(), 1):
+            gains = replaced(gains, path, other(at(gains, path), number))
+            answer = client.update_configuration({name: at(gains, path)})
+            self.assertEqual(answer[name], at(gains, path), name)
+            self.uav.wait(name + ' by dynamic_reconfigure', lambda: self.flown == gains)
+            self.assertEqual(rospy.get_param(GAINS), gains, name)
+        # By rosparam all at once, since no value is that of another gain; then back.
+        for number, path in enumerate(paths.values(), 1):
+            gains = replaced(gains, path, other(at(gains, path), number))
+        for wanted in (gains, gains_of(law)):
+            rospy.set_param(GAINS, wanted)
+            response = self.reload()
+            self.assertTrue(response.success, response.message)
+            self.uav.wait('the gains by rosparam', lambda: self.flown == wanted)
+            self.uav.wait('dynamic_reconfigure to follow', lambda: all(
+                client.get_configuration()[name] == at(wanted, path)
+                for name, path in paths.items()))
+
+    def path_by_name(self, law, known):
+        """Every gain of the file has one name in dynamic_reconfigure, and the other way round."""
+        paths = {}
+        for names, path in leaves(gains_of(law)):
+            found = known.intersection(names)
+            self.assertEqual(len(found), 1, '%s in dynamic_reconfigure of %s' % (names, law))
+            paths[found.pop()] = path
+        self.assertEqual(known, set(paths), 'gains that the file of %s lacks' % law)
+        return paths
+
+    def test_1_every_gain_is_reachable_both_ways(self):
+        self.check_every_gain('asmc')
         self.uav.sleep(5.0)
         self.assertLess(self.uav.error(), 0.05)
 
@@ -131,15 +174,12 @@ class Tuning(unittest.TestCase):
         self.assertEqual(self.uav.state.controller, 'asmc')
         self.assertLess(self.uav.error(), 0.1)
 
-    def test_6_files_and_dynamic_reconfigure_name_the_same_gains(self):
-        for law in ('geometric', 'smc', 'switched'):
-            self.uav.sleep(15.0)
+    def test_6_every_gain_of_the_other_laws_is_reachable_both_ways(self):
+        for law in ('geometric', 'smc', 'switched'):  # last the one that lets x and y go
             response = self.change_law(law)
             self.assertTrue(response.success, response.message)
-            client = Client('/uav/controller/tuning', timeout=20)
-            known = client.get_configuration()
-            for names, path in leaves(gains_of(law)):
-                self.assertTrue(any(name in known for name in names), names)
+            self.uav.sleep(8.0)
+            self.check_every_gain(law)
 
 
 if __name__ == '__main__':
