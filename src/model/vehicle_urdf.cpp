@@ -16,7 +16,7 @@ constexpr double kHubHeight = 0.18;   // of the rotor discs above the arms
 constexpr double kDiscShare = 0.46;   // of the distance between neighbouring hubs
 constexpr double kThickness = 0.012;  // of discs and legs [m]
 
-constexpr const char* kCarbon = "0.20 0.22 0.25 1";
+constexpr const char* kFrame = "0.72 0.75 0.80 1";  // seen before a dark ground
 constexpr const char* kMetal = "0.62 0.65 0.70 1";
 constexpr const char* kNose = "0.90 0.22 0.20 1";
 constexpr const char* kCounterClockwise = "0.25 0.60 1.00 0.75";
@@ -87,7 +87,7 @@ void addRotor(Visuals& visuals, const Rotor& rotor, double radius) {
   const Eigen::Vector2d hub = rotor.position();
   const double l = rotor.arm_length;
   visuals.box({0.5 * hub.x(), 0.5 * hub.y(), 0.0}, rotor.angle, {l, kArmWidth * l, kArmWidth * l},
-              kCarbon);
+              kFrame);
   visuals.cylinder({hub.x(), hub.y(), 0.5 * kHubHeight * l}, kMotorRadius * l, kHubHeight * l,
                    kMetal);
   visuals.cylinder({hub.x(), hub.y(), kHubHeight * l}, radius, kThickness,
@@ -114,7 +114,7 @@ void addGear(Visuals& visuals, const Vehicle& vehicle) {
 std::string vehicleUrdf(const Vehicle& vehicle) {
   Visuals visuals;
   const double l = vehicle.rotors.front().arm_length;
-  visuals.cylinder(Eigen::Vector3d::Zero(), kBodyRadius * l, kBodyHeight * l, kCarbon);
+  visuals.cylinder(Eigen::Vector3d::Zero(), kBodyRadius * l, kBodyHeight * l, kFrame);
   visuals.box({kBodyRadius * l, 0.0, 0.5 * kBodyHeight * l}, 0.0,
               {0.35 * l, 0.14 * l, 0.5 * kBodyHeight * l}, kNose);
   const double radius = discRadius(vehicle);

@@ -39,7 +39,7 @@ Markers wallMarkers(const std::vector<Box>& walls) {
   for (const Box& wall : walls) {
     markers.push_back(boxMarker(kWorldFrame, "walls", static_cast<int>(markers.size()),
                                 0.5 * (wall.min + wall.max), wall.max - wall.min,
-                                colour(0.72, 0.62, 0.50, 0.55)));
+                                colour(0.85, 0.72, 0.55, 0.65)));
   }
   return markers;
 }
@@ -167,8 +167,8 @@ Markers textMarkers(const msgs::ControllerState& state, const msgs::PlantStatus*
   const bool calm = !state.saturated && (status == nullptr || !status->crashed);
   Marker m = marker(kWorldFrame, "text", 0, Marker::TEXT_VIEW_FACING,
                     calm ? colour(1.0, 1.0, 1.0) : colour(1.0, 0.45, 0.4));
-  m.pose.position = toPoint(toEigen(state.position) + Eigen::Vector3d(0.0, 0.0, 0.8));
-  m.scale.z = 0.12;
+  m.pose.position = toPoint(toEigen(state.position) + Eigen::Vector3d(0.0, 0.0, 1.15));
+  m.scale.z = 0.17;
   m.text = text;
   return {m};
 }

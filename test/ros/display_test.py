@@ -9,6 +9,7 @@ import tempfile
 import time
 import unittest
 import xml.etree.ElementTree as xml
+from collections import Counter
 
 import rospkg
 import rospy
@@ -19,9 +20,13 @@ from uav import PACKAGE, Uav, executable
 from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray
 
 SHARE = rospkg.RosPack().get_path(PACKAGE)
-# Colours of the picture (red, green, blue) and how many pixels there must be at least.
-SEEN = {'payload': ((150, 86, 24), 100), 'flown path': ((248, 4, 44), 60),
-        'wall': ((82, 74, 66), 2000), 'text': ((255, 255, 255), 400)}
+# Colours of the picture (red, green, blue), lit and unlit, and how many pixels there must be of them.
+SEEN = {'vehicle': (((108, 75, 34), (127, 93, 52), (30, 64, 103), (57, 92, 131)), 300),
+        'payload': (((195, 109, 38), (114, 64, 22)), 60),
+        'flown path': (((248, 4, 44),), 60),
+        'wall': (((54, 48, 43), (78, 68, 58)), 8000),
+        'text': (((255, 255, 255),), 400),
+        'view as wide as the window': (((28, 32, 40),), 800000)}
 
 
 def numbers(marker):
@@ -131,7 +136,7 @@ class Display(unittest.TestCase):
             for number in visual.find('origin').get('xyz').split():
                 self.assertTrue(math.isfinite(float(number)))
 
-    def test_6_rviz_draws_it(self):
+    def test_6_rviz_draws_it_on_both_sides_of_the_wall(self):
         picture = rospy.get_param('~picture')
         display = ':%d' % (60 + os.getpid() % 30)
         environment = dict(os.environ, DISPLAY=display)
@@ -143,25 +148,41 @@ class Display(unittest.TestCase):
             rviz = subprocess.Popen(
                 ['rosrun', 'rviz', 'rviz', '-d', SHARE + '/config/view.rviz', '__ns:=uav'],
                 env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            missing, deadline = SEEN, time.time() + 90.0
-            while missing and time.time() < deadline:
-                time.sleep(1.0)
-                subprocess.run(['import', '-window', 'root', picture], env=environment, check=True)
-                missing = self.unseen(picture)
-            self.assertFalse(missing, 'not in ' + picture)
+            self.check_picture(picture, environment)
+            for x in (5.0, 9.5):  # up, then over the wall
+                goal = PoseStamped().pose
+                goal.position.x, goal.position.y, goal.position.z = x, -1.5, 3.6
+                goal.orientation.w = 1.0
+                self.send(event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=goal)
+                self.uav.wait('the goal', lambda: self.uav.state.desired_position.x == x)
+                self.uav.sleep(6.0)
+            self.assertGreater(self.uav.state.position.x, 8.5)
+            root, extension = os.path.splitext(picture)
+            self.check_picture(root + '_behind' + extension, environment)
         finally:
             for process in filter(None, (rviz, server)):
                 process.terminate()
                 process.wait()
 
+    def check_picture(self, picture, environment):
+        """Takes a screenshot that shows everything, as soon as there is one."""
+        missing, deadline = SEEN, time.time() + 90.0
+        while missing and time.time() < deadline:
+            time.sleep(1.0)
+            subprocess.run(['import', '-window', 'root', picture], env=environment, check=True)
+            missing = self.unseen(picture)
+        self.assertFalse(missing, 'not in ' + picture)
+
     def unseen(self, picture):
         """What there is too little of in a picture, with the number of its pixels."""
-        pixels = subprocess.run(['convert', picture, '-depth', '8', 'rgb:-'], check=True,
-                                stdout=subprocess.PIPE).stdout
+        raw = subprocess.run(['convert', picture, '-depth', '8', 'rgb:-'], check=True,
+                             stdout=subprocess.PIPE).stdout
+        pixels = Counter(zip(raw[0::3], raw[1::3], raw[2::3]))
         missing = {}
-        for name, (colour, least) in SEEN.items():
-            count = sum(1 for i in range(0, len(pixels), 3)
-                        if all(abs(pixels[i + k] - colour[k]) < 25 for k in range(3)))
+        for name, (colours, least) in SEEN.items():
+            count = sum(number for pixel, number in pixels.items() if any(
+                all(abs(seen - wanted) < 12 for seen, wanted in zip(pixel, colour))
+                for colour in colours))
             if count < least:
                 missing[name] = count
         return missing
