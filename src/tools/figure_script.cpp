@@ -19,7 +19,7 @@ constexpr double kGap = 20;
 // Panels become flatter the more there are.
 double height(const Figure& figure) {
   const auto count = static_cast<double>(figure.panels.size());
-  const double panel = count <= 3 ? 270 : count <= 4 ? 235 : 190;
+  const double panel = count <= 3 ? 270 : count <= 4 ? 235 : count <= 5 ? 215 : 190;
   return kTop + kBottom + std::max(count, 2.0) * (panel + kGap) - kGap;
 }
 
@@ -86,7 +86,7 @@ void writeEnds(std::ostream& out, const Panel& panel) {
 
 // At most six steps of 1, 2 or 5 times a power of ten.
 double ticStep(const Panel& panel) {
-  const double raw = (panel.high - panel.low) / 6.0;
+  const double raw = std::max((panel.high - panel.low) / 6.0, panel.least_tic);
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= raw) return factor * power;

@@ -25,6 +25,7 @@ struct Panel {
   std::string label;  ///< of the vertical axis, with the unit
   double low = 0.0;   ///< range of the vertical axis
   double high = 1.0;
+  double least_tic = 0.0;     ///< between two tics; 1 for what is counted
   std::vector<Curve> curves;  ///< the first one is drawn last, on top
   std::vector<EndPoint> ends;
 };

@@ -5,10 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <memory>
-#include <stdexcept>
 #include <system_error>
 #include <variant>
 
@@ -27,7 +23,6 @@ namespace fs = std::filesystem;
 constexpr double kLeastError = 0.01;  // [m], [rad]
 constexpr const char* kMassEstimate = "mass_estimate [kg]";
 constexpr const char* kPayloadMass = "payload_mass [kg]";
-constexpr int kPatience = 100;  // between two signs of life [ms]
 constexpr double kDegrees = 180.0 / M_PI;
 constexpr double kCurveWidth = 2.0;
 constexpr double kRotorWidth = 1.4;
@@ -135,12 +130,16 @@ class FigureBuilder {
     Panel panel;
     panel.label = label;
     setRange(panel, readableRange(flights_, column, reference), scale);
+    bool cut = false;
     for (const PlottedFlight& flight : flights_) {
-      if (flight.extent(column).empty()) continue;
+      const Extent extent = flight.extent(column);
+      if (extent.empty()) continue;
+      cut = cut || extent.low * scale < panel.low || extent.high * scale > panel.high;
       panel.curves.push_back(
           {flight.line(column, scale, 0.0), lineStyle(flight.colour, kCurveWidth)});
       if (const auto end = flight.endPoint(column, scale)) panel.ends.push_back(*end);
     }
+    if (cut) panel.label += " (cut)";
     return panel;
   }
 
@@ -182,7 +181,7 @@ class FigureBuilder {
       }
     }
     for (const std::string& name : names) {
-      const Panel panel = panelOf(name, name, 1.0, {});
+      const Panel panel = panelOf(withUnit(name), name, 1.0, {});
       if (!panel.curves.empty()) figure.panels.push_back(panel);
     }
     addFlightKeys(figure);
@@ -245,16 +244,6 @@ class FigureBuilder {
   std::vector<PlottedFlight> flights_;
 };
 
-// gnuplot does not always notice a full disk; a whole PNG ends with the chunk IEND.
-void checkPng(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  constexpr std::size_t kTail = 8;  // "IEND" and its checksum
-  if (bytes.size() < kTail || bytes.compare(bytes.size() - kTail, 4, "IEND") != 0) {
-    throw std::runtime_error("gnuplot could not write all of '" + path.string() + "'");
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> drawFigures(const std::string& folder, const std::vector<FlightLog>& logs,
@@ -270,32 +259,13 @@ std::vector<std::string> drawFigures(const std::string& folder, const std::vecto
   }
   if (logs.empty()) return {};
   const FigureBuilder builder(logs, scenario, vehicle);
-  std::vector<std::pair<std::string, std::string>> scripts;  // by name
+  std::vector<GnuplotScript> scripts;
   for (const Figure& figure : builder.figures()) {
-    if (!figure.panels.empty()) scripts.emplace_back(figure.name, figureScript(figure));
+    if (!figure.panels.empty()) scripts.push_back({figure.name, figureScript(figure)});
   }
-  if (const std::string path = builder.path(); !path.empty()) scripts.emplace_back(kPathName, path);
+  if (const std::string path = builder.path(); !path.empty()) scripts.push_back({kPathName, path});
 
-  for (const auto& [name, script] : scripts) {
-    writeFile((fs::path(folder) / (name + ".gnuplot")).string(), script);
-  }
-  // Side by side: there may be several processors.
-  std::vector<std::unique_ptr<Gnuplot>> runs;
-  for (const auto& entry : scripts) {
-    runs.push_back(std::make_unique<Gnuplot>(folder, entry.first + ".gnuplot"));
-  }
-  const auto report = [&](std::size_t done) {
-    if (progress) progress(static_cast<double>(done) / static_cast<double>(runs.size()));
-  };
-  std::vector<std::string> paths;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    while (!runs[i]->settled(kPatience)) report(i);
-    runs[i]->wait();
-    paths.push_back((fs::path(folder) / (scripts[i].first + ".png")).string());
-    checkPng(paths.back());
-    report(i + 1);
-  }
-  return paths;
+  return runGnuplot(folder, scripts, progress);
 }
 
 }  // namespace aqc

@@ -8,15 +8,22 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "adaptive_quadrotor_control/tools/flight_files.h"
 
 namespace aqc {
 namespace {
 
 constexpr int kMissing = 127;  // what a shell returns for a program it does not find
 constexpr int kNoFolder = 126;
+constexpr int kPatience = 100;  // between two signs of life [ms]
 
 // In the child process, where only calls that are safe after fork() are allowed.
 [[noreturn]] void becomeGnuplot(const char* folder, const char* script, int errors) {
@@ -49,6 +56,16 @@ std::string lastLine(const std::string& text) {
     if (begin != std::string::npos) last = line.substr(begin);
   }
   return last;
+}
+
+// gnuplot does not always notice a full disk; a whole PNG ends with the chunk IEND.
+void checkPng(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  constexpr std::size_t kTail = 8;  // "IEND" and its checksum
+  if (bytes.size() < kTail || bytes.compare(bytes.size() - kTail, 4, "IEND") != 0) {
+    throw std::runtime_error("gnuplot could not write all of '" + path + "'");
+  }
 }
 
 }  // namespace
@@ -95,6 +112,32 @@ void Gnuplot::wait() {
   }
   throw std::runtime_error("gnuplot failed at '" + folder_ + "/" + script_ +
                            "': " + lastLine(messages_));
+}
+
+std::vector<std::string> runGnuplot(const std::string& folder,
+                                    const std::vector<GnuplotScript>& scripts,
+                                    const std::function<void(double)>& progress) {
+  const auto path = [&](const std::string& file) {
+    return (std::filesystem::path(folder) / file).string();
+  };
+  for (const GnuplotScript& script : scripts)
+    writeFile(path(script.name + ".gnuplot"), script.text);
+  std::vector<std::unique_ptr<Gnuplot>> runs;
+  for (const GnuplotScript& script : scripts) {
+    runs.push_back(std::make_unique<Gnuplot>(folder, script.name + ".gnuplot"));
+  }
+  const auto report = [&](std::size_t done) {
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(runs.size()));
+  };
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    while (!runs[i]->settled(kPatience)) report(i);
+    runs[i]->wait();
+    paths.push_back(path(scripts[i].name + ".png"));
+    checkPng(paths.back());
+    report(i + 1);
+  }
+  return paths;
 }
 
 }  // namespace aqc

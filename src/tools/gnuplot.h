@@ -2,7 +2,9 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace aqc {
 
@@ -32,5 +34,18 @@ class Gnuplot {
   int status_ = 0;
   std::string messages_;
 };
+
+/// What draws the picture `name`.png.
+struct GnuplotScript {
+  std::string name;
+  std::string text;
+};
+
+/// Writes the scripts into `folder` and runs them side by side. Returns the paths of the pictures;
+/// `progress` (may be empty) is told the share done. Throws std::runtime_error when a script cannot
+/// be written or gnuplot is missing, fails or leaves half a picture.
+std::vector<std::string> runGnuplot(const std::string& folder,
+                                    const std::vector<GnuplotScript>& scripts,
+                                    const std::function<void(double)>& progress);
 
 }  // namespace aqc

@@ -51,6 +51,11 @@ std::string paletteColour(std::size_t index);
 /// How gnuplot draws a line.
 std::string lineStyle(const std::string& colour, double width);
 
+/// An adaptive quantity's name with its unit, as an axis or a legend calls it; the bare name of one
+/// that is not known. ||xi|| is the norm of the error and its rate together, a mixture of m and m/s
+/// or of rad and rad/s: docs/tuning.md and docs/switched_control.md.
+std::string withUnit(const std::string& adaptive_name);
+
 /// The panel's vertical axis: `range` times `scale` with a margin. An empty range changes nothing.
 void setRange(Panel& panel, const Extent& range, double scale);
 

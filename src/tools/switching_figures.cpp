@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kActive = "active_subsystem";
 constexpr double kWidth = 2.0;
 constexpr double kKeyWidth = 4.0;
-constexpr double kStart = 5.0;  // what the first seconds look like would squeeze the rest [s]
+constexpr double kStart = 5.0;  // the two metres of before would squeeze the centimetres after [s]
 
 struct Line {
   std::string column;
@@ -27,37 +27,34 @@ std::string gain(const std::string& name, int subsystem) {
   return name + "[" + std::to_string(subsystem) + "]";
 }
 
-// Values of a column from a time to the end.
-Extent extentAfter(const PlottedFlight& flight, const std::string& column, double from) {
-  Extent extent;
-  const FlightColumn* found = flight.find(column);
-  if (found == nullptr) return extent;
-  for (const FlightSample& sample : flight.log->samples) {
-    const double time = toSeconds(sample.time);
-    if (time >= from && time <= flight.end) extent.include(found->value(sample));
-  }
-  return extent;
+// A column from a time on to the end.
+Points lineFrom(double from, const PlottedFlight& flight, const std::string& column, double scale) {
+  Points line = flight.line(column, scale, 0.0);
+  const auto first = std::find_if(line.begin(), line.end(),
+                                  [from](const Point& point) { return point.x >= from; });
+  line.erase(line.begin(), first);
+  return line;
 }
 
 // Several columns on one pair of axes, colours in the order of the palette from `first_colour`.
 void addPanel(Figure& figure, const PlottedFlight& flight, const std::string& label,
-              const std::vector<Line>& lines, double scale, double from,
+              const std::vector<Line>& lines, double scale = 1.0, double from = 0.0,
               std::size_t first_colour = 0) {
   Panel panel;
   panel.label = label;
   Extent range;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (flight.find(lines[i].column) == nullptr) continue;
-    range.include(extentAfter(flight, lines[i].column, from));
     const std::string colour = paletteColour(first_colour + i);
-    panel.curves.push_back(
-        {flight.line(lines[i].column, scale, 0.0), lineStyle(colour, kWidth) + lines[i].dashes});
+    panel.curves.push_back({lineFrom(from, flight, lines[i].column, scale),
+                            lineStyle(colour, kWidth) + lines[i].dashes});
+    for (const Point& point : panel.curves.back().points) range.include(point.y);
     if (!lines[i].title.empty()) {
       figure.key.push_back({lines[i].title, lineStyle(colour, kKeyWidth) + lines[i].dashes});
     }
   }
   if (panel.curves.empty()) return;
-  setRange(panel, range, scale);
+  setRange(panel, range, 1.0);
   figure.panels.push_back(panel);
 }
 
@@ -80,15 +77,16 @@ Figure switchingFigure(const PlottedFlight& flight, Figure figure) {
   figure.name = "switching";
   figure.title += "switching signal, disturbance, errors";
   figure.phases.clear();
-  addPanel(figure, flight, "active subsystem", {{kActive, ""}}, 1.0, 0.0);
-  addPanel(figure, flight, "disturbance, z [N]", {{"disturbance_force_z [N]", ""}}, 1.0, 0.0);
-  addPanel(figure, flight, "disturb., yaw [mN m]", {{"disturbance_moment_z [N m]", ""}}, 1e3, 0.0);
-  addPanel(figure, flight, "z error [cm]", {{"error_z [m]", ""}}, 100.0, kStart);
+  addPanel(figure, flight, "active subsystem", {{kActive, ""}});
+  if (!figure.panels.empty()) figure.panels.back().least_tic = 1.0;
+  addPanel(figure, flight, "disturbance, z [N]", {{"disturbance_force_z [N]", ""}});
+  addPanel(figure, flight, "disturb., yaw [mN m]", {{"disturbance_moment_z [N m]", ""}}, 1e3);
+  addPanel(figure, flight, "z error from 5 s [cm]", {{"error_z [m]", ""}}, 100.0, kStart);
   addPanel(figure, flight, "attitude error [deg]",
            {{"error_roll [rad]", "roll error", " dt (8,8)"},
             {"error_pitch [rad]", "pitch error"},
             {"error_yaw [rad]", "yaw error"}},
-           180.0 / M_PI, 0.0);
+           180.0 / M_PI);
   return figure;
 }
 
@@ -98,11 +96,12 @@ Figure gainsFigure(const PlottedFlight& flight, Figure figure, int subsystem) {
   figure.phases = activePhases(flight, subsystem);
   std::vector<Line> thetas;
   for (const char* name : {"theta_0", "theta_1", "theta_2", "theta_3"}) {
-    thetas.push_back({gain(name, subsystem), name});
+    thetas.push_back({gain(name, subsystem), withUnit(name)});
   }
-  addPanel(figure, flight, "theta", thetas, 1.0, 0.0);
-  addPanel(figure, flight, "zeta", {{gain("zeta", subsystem), "zeta"}}, 1.0, 0.0, thetas.size());
-  addPanel(figure, flight, "gamma", {{gain("gamma", subsystem), "gamma"}}, 1.0, 0.0,
+  addPanel(figure, flight, "theta", thetas);
+  addPanel(figure, flight, withUnit("zeta"), {{gain("zeta", subsystem), ""}}, 1.0, 0.0,
+           thetas.size());
+  addPanel(figure, flight, withUnit("gamma"), {{gain("gamma", subsystem), ""}}, 1.0, 0.0,
            thetas.size() + 1);
   return figure;
 }

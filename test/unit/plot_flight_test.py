@@ -30,12 +30,16 @@ class PlotFlight(unittest.TestCase):
                         cls.flown], check=True, stdout=subprocess.DEVNULL, timeout=120)
         cls.asmc, cls.smc = (os.path.join(cls.flown, law + ".csv") for law in ("asmc", "smc"))
 
+    def run_on(self, *files):
+        """What the program said, and the folder it wrote into."""
+        out = tempfile.mkdtemp(dir=self.folder)
+        return subprocess.run([os.environ["PLOT_FLIGHT"], *files, "--out", out], timeout=120,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
+                              universal_newlines=True), out
+
     def plot(self, *files):
         """Returns the folder of the figures."""
-        out = tempfile.mkdtemp(dir=self.folder)
-        result = subprocess.run([os.environ["PLOT_FLIGHT"], *files, "--out", out], timeout=120,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
-                                universal_newlines=True)
+        result, out = self.run_on(*files)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(sorted(result.stdout.split("\n")[:-1]), sorted(
             os.path.join(out, name) for name in os.listdir(out) if name.endswith(".png")))
@@ -43,10 +47,7 @@ class PlotFlight(unittest.TestCase):
 
     def refused(self, *files):
         """One line on stderr, exit code 1, no picture; returns the line."""
-        out = tempfile.mkdtemp(dir=self.folder)
-        result = subprocess.run([os.environ["PLOT_FLIGHT"], *files, "--out", out], timeout=120,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
-                                universal_newlines=True)
+        result, out = self.run_on(*files)
         self.assertEqual((result.returncode, result.stdout, os.listdir(out)), (1, "", []))
         self.assertRegex(result.stderr, r"\Aplot_flight: [^\n]+\n\Z")
         return result.stderr
@@ -101,10 +102,9 @@ class PlotFlight(unittest.TestCase):
         self.assertIn("called the same", self.refused(self.asmc, self.asmc))
         self.assertIn("cannot read", self.refused(os.path.join(self.flown, "position.png")))
         for files in ([], [os.path.join(self.folder, "missing.csv")]):
-            result = subprocess.run([os.environ["PLOT_FLIGHT"], *files], stderr=subprocess.PIPE,
-                                    stdout=subprocess.DEVNULL, check=False)
+            result, _ = self.run_on(*files)
             self.assertNotEqual(result.returncode, 0)
-            self.assertNotEqual(result.stderr, b"")
+            self.assertNotEqual(result.stderr, "")
 
 
 if __name__ == "__main__":
