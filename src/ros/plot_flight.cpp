@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,21 +19,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a bag holds as CSV, too.
-void writeCsv(const Recording& recording, const fs::path& folder) {
-  const std::string name = fs::path(recording.path).stem().string() + ".csv";
-  writeFile((folder / name).string(), flightCsv(recording.log));
+bool isCsv(const std::string& path) {
+  return fs::path(path).extension() == ".csv";
+}
+
+// What a bag holds as CSV, too; never over a file that is being drawn.
+void writeCsv(const Recording& recording, const std::vector<std::string>& files,
+              const fs::path& folder) {
+  const fs::path path = folder / (fs::path(recording.path).stem().string() + ".csv");
+  for (const std::string& file : files) {
+    if (fs::exists(path) && fs::equivalent(path, file)) {
+      throw std::runtime_error("the CSV file of '" + recording.path + "' would overwrite '" + file +
+                               "'; choose another --out");
+    }
+  }
+  writeFile(path.string(), flightCsv(recording.log));
 }
 
 // A recorder that could not keep up leaves straight lines that nobody flew.
 void warnOfGaps(const Recording& recording) {
   const auto& samples = recording.log.samples;
   if (samples.size() < 2) return;
-  Nanoseconds period = recording.scenario.duration;
+  std::vector<Nanoseconds> periods;
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    period = std::min(period, samples[i].time - samples[i - 1].time);
+    periods.push_back(samples[i].time - samples[i - 1].time);
   }
-  const Nanoseconds steps = (samples.back().time - samples.front().time) / period + 1;
+  const auto median = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
+  std::nth_element(periods.begin(), median, periods.end());
+  const Nanoseconds steps = (samples.back().time - samples.front().time) / *median + 1;
   const Nanoseconds missing = steps - static_cast<Nanoseconds>(samples.size());
   if (100 * missing < steps) return;  // a timer may be late
   std::cerr
@@ -44,18 +58,19 @@ void run(const std::vector<std::string>& files, const std::string& folder) {
   makeFolder(folder);
   std::vector<Recording> recordings;
   for (const std::string& file : files) {
-    const bool csv = fs::path(file).extension() == ".csv";
-    recordings.push_back(csv ? readCsvRecording(file) : readBag(file));
-    if (csv) continue;
-    warnOfGaps(recordings.back());
-    writeCsv(recordings.back(), folder);
+    recordings.push_back(isCsv(file) ? readCsvRecording(file) : readBag(file));
+  }
+  for (const Recording& recording : recordings) {
+    if (isCsv(recording.path)) continue;
+    warnOfGaps(recording);
+    writeCsv(recording, files, folder);
   }
   nameApart(recordings);
   const Scenario scenario = jointScenario(recordings);
+  const Vehicle vehicle = jointVehicle(recordings);
   std::vector<FlightLog> logs;
   for (Recording& recording : recordings) logs.push_back(std::move(recording.log));
-  for (const std::string& path :
-       drawFigures(folder, logs, scenario, recordings.front().vehicle, {})) {
+  for (const std::string& path : drawFigures(folder, logs, scenario, vehicle, {})) {
     std::cout << path << "\n";
   }
 }

@@ -102,4 +102,10 @@ Scenario jointScenario(const std::vector<Recording>& recordings) {
   return scenario;
 }
 
+Vehicle jointVehicle(const std::vector<Recording>& recordings) {
+  const auto known = std::find_if(recordings.begin(), recordings.end(),
+                                  [](const Recording& r) { return r.vehicle.mass > 0.0; });
+  return (known != recordings.end() ? *known : recordings.front()).vehicle;
+}
+
 }  // namespace aqc

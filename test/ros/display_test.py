@@ -196,7 +196,15 @@ class Display(unittest.TestCase):
         subprocess.run([executable('fly'), 'hover_payload', '--controller', 'smc', '--no-plots',
                         '--out', self.folder.name], check=True, timeout=100)
         self.plot(self.bag)
-        self.assertTrue(os.path.exists(os.path.join(self.folder.name, 'test.csv')))
+        converted = os.path.join(self.folder.name, 'test.csv')
+        with open(converted, 'rb') as file:
+            before = file.read()
+        result = subprocess.run([executable('plot_flight'), self.bag, converted, '--out',
+                                 self.folder.name], stderr=subprocess.PIPE, timeout=100)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b'would overwrite', result.stderr)
+        with open(converted, 'rb') as file:
+            self.assertEqual(file.read(), before)
         both = self.plot(self.bag, os.path.join(self.folder.name, 'smc.csv'))
         names = re.findall(r"NaN with lines .* title '(.*)'", both)
         self.assertEqual(names, ['set point', 'asmc', 'smc'])

@@ -297,6 +297,9 @@ TEST_F(ToolsInFolder, FlightsOfDifferentLengthAndAnUnknownVehicleAreDrawn) {
     recording.scenario = scenarioOf(recording.log, recording.log.controller);
     logs.push_back(recording.log);
   }
+  EXPECT_EQ(jointVehicle(recordings).mass, 0.0);
+  recordings[1].vehicle = vehicle();
+  EXPECT_EQ(jointVehicle(recordings).name, "test bird");
   const Scenario joint = jointScenario(recordings);
   EXPECT_EQ(joint.title, "short and long");
   EXPECT_EQ(joint.duration, fromSeconds(10.0));

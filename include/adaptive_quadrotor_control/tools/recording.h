@@ -40,4 +40,7 @@ void nameApart(std::vector<Recording>& recordings);
 /// The scenario of a figure that shows all of them: the first one's, as long as the longest.
 Scenario jointScenario(const std::vector<Recording>& recordings);
 
+/// The vehicle of such a figure: the first one whose mass is known, otherwise the first one.
+Vehicle jointVehicle(const std::vector<Recording>& recordings);
+
 }  // namespace aqc
