@@ -27,7 +27,7 @@ WaypointNode::WaypointNode() {
   const ParameterReader own = parameterReader(private_node_, "");
   limits_.speed = own.number("speed", Range::positiveUpTo(50.0), 2.0);
   limits_.acceleration = own.number("acceleration", Range::positiveUpTo(50.0), 2.0);
-  limits_.tilt = own.number("max_tilt_deg", Range::positiveUpTo(80.0), 30.0) * M_PI / 180.0;
+  limits_.tilt = own.angle("max_tilt_deg", Range::positiveUpTo(80.0), M_PI / 6.0);
   limits_.thrust_to_weight = own.number("thrust_to_weight", Range{1.0, 10.0, true}, 1.5);
   flight_limits_ = limits_;
   set_point_period_ =
