@@ -109,11 +109,13 @@ double WaypointNode::fly(const nav_msgs::Path& path, const MotionLimits& limits)
 }
 
 void WaypointNode::send(const PolynomialTrajectory& trajectory, std::uint8_t phase) {
-  begin_ = ros::Time::now();
+  const ros::Time begin = ros::Time::now();
+  const std::vector<TimedSetPoint> set_points =
+      sample(trajectory, toNanoseconds(begin), set_point_period_);
+  begin_ = begin;
   duration_ = trajectory.duration();
   phase_ = phase;
-  const Nanoseconds begin = toNanoseconds(begin_);
-  trajectory_publisher_.publish(toTrajectory(sample(trajectory, begin, set_point_period_), begin));
+  trajectory_publisher_.publish(toTrajectory(set_points, toNanoseconds(begin)));
 }
 
 void WaypointNode::onPath(const nav_msgs::Path::ConstPtr& path) {

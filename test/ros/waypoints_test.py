@@ -113,6 +113,10 @@ class Waypoints(unittest.TestCase):
             self.assertFalse(response.success)
             self.assertIn(word, response.message)
         self.assertFalse(self.fly(path=path((0, 0, 1, 0)), speed=-1.0).success)
+        endless = self.fly(path=path((0, 0, 1, 0)), speed=1e-6)
+        self.assertFalse(endless.success)
+        self.assertIn('it must be <= 10000 s', endless.message)
+        self.assertFalse(self.cancel().success)  # nothing is being flown
 
 
 if __name__ == '__main__':
