@@ -165,12 +165,15 @@ bool WaypointNode::onCancel(std_srvs::Trigger::Request&, std_srvs::Trigger::Resp
 }
 
 void WaypointNode::onTimer(const ros::TimerEvent&) {
-  const double elapsed = (ros::Time::now() - begin_).toSec();
+  const ros::Time now = ros::Time::now();
+  // The controller begins anew, too, and has forgotten the path.
+  if (startedAnew(toNanoseconds(begin_), toNanoseconds(now))) phase_ = msgs::PathProgress::IDLE;
+  const double elapsed = (now - begin_).toSec();
   if (phase_ == msgs::PathProgress::FLYING && elapsed >= duration_) {
     phase_ = msgs::PathProgress::DONE;
   }
   msgs::PathProgress progress;
-  progress.header.stamp = ros::Time::now();
+  progress.header.stamp = now;
   progress.phase = phase_;
   if (phase_ != msgs::PathProgress::IDLE) {
     progress.fraction = duration_ > 0.0 ? std::min(1.0, elapsed / duration_) : 1.0;
