@@ -62,7 +62,7 @@ std::vector<Finding> FlightMonitor::judge(Nanoseconds now, double silence) {
                                    judgeMessages(),    judgePayload()};
   const std::vector<std::string> all = names();
   for (std::size_t i = 0; i < findings.size(); ++i) findings[i].name = all[i];
-  intervals_ = odometry_ = dropped_odometry_ = dropped_set_points_ = 0;
+  intervals_ = odometry_ = dropped_odometry_ = dropped_set_points_ = new_starts_ = 0;
   flying_steps_ = saturated_steps_ = 0;
   interval_sum_ = longest_interval_ = oldest_odometry_ = 0;
   return findings;
@@ -151,15 +151,21 @@ Finding FlightMonitor::judgeMessages() const {
   Finding finding;
   finding.health =
       judged(share(dropped_odometry_, dropped_odometry_ + odometry_), limits_.dropped_odometry);
-  if (dropped_set_points_ > 0) finding.health = std::max(finding.health, Health::kWarn);
-  finding.reason = finding.health == Health::kOk
-                       ? "none refused"
-                       : print(
-                             "refused %u of odometry, %u of set points: not finite, not a pose "
-                             "or out of order",
-                             dropped_odometry_, dropped_set_points_);
+  if (dropped_set_points_ + new_starts_ > 0) {
+    finding.health = std::max(finding.health, Health::kWarn);
+  }
+  if (finding.health == Health::kOk) {
+    finding.reason = "none refused";
+  } else if (new_starts_ > 0) {
+    finding.reason = "the clock of the odometry went back: began anew, without a set point";
+  } else {
+    finding.reason =
+        print("refused %u of odometry, %u of set points: not finite, not a pose or out of order",
+              dropped_odometry_, dropped_set_points_);
+  }
   finding.values = {{"odometry refused", print("%u", dropped_odometry_)},
-                    {"set points refused", print("%u", dropped_set_points_)}};
+                    {"set points refused", print("%u", dropped_set_points_)},
+                    {"new starts", print("%u", new_starts_)}};
   return finding;
 }
 

@@ -3,7 +3,8 @@
 namespace aqc {
 
 bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept {
-  if (!specific_force.allFinite() || (started_ && time < time_)) {
+  const bool late = started_ && time < time_ && !startedAnew(time_, time);
+  if (!specific_force.allFinite() || late) {
     ++dropped_;
     return false;
   }
@@ -14,7 +15,7 @@ bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) n
 }
 
 const Eigen::Vector3d* ImuMonitor::at(Nanoseconds now) noexcept {
-  const bool usable = started_ && now - time_ <= kOldest;
+  const bool usable = started_ && now - time_ <= kOldest && !startedAnew(time_, now);
   if (usable_ && !usable) ++losses_;
   usable_ = usable;
   return usable ? &specific_force_ : nullptr;

@@ -14,6 +14,10 @@ StepClock::StepClock(Nanoseconds period, Trigger trigger) : period_(period), tri
 }
 
 StepClock::Answer StepClock::hear(Nanoseconds stamp, bool imu_awaited) noexcept {
+  if (odometry_time_ && startedAnew(*odometry_time_, stamp)) {
+    *this = StepClock(period_, trigger_);
+    return Answer::kRestart;
+  }
   if (odometry_time_ && stamp < *odometry_time_) return Answer::kDrop;
   const bool again = odometry_time_ && stamp == *odometry_time_;
   odometry_time_ = stamp;

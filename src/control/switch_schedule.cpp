@@ -26,6 +26,11 @@ std::optional<SwitchReport> SwitchSchedule::next(SubsystemSwitch& subsystems,
   return SwitchReport{order, now, verdict, subsystems.earliest(now)};
 }
 
+void SwitchSchedule::clear() noexcept {
+  orders_.clear();
+  next_ = 0;
+}
+
 std::string switchObjection(int subsystem, const std::string& outcome, Nanoseconds allowed,
                             Nanoseconds now, Nanoseconds origin) {
   std::ostringstream out;

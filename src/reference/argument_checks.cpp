@@ -46,9 +46,9 @@ void requireDurations(const std::vector<double>& segment_durations, std::size_t 
                          point_count, " ", points, "; there must be ", point_count - 1);
   }
   for (std::size_t i = 0; i < segment_durations.size(); ++i) {
-    if (!std::isfinite(segment_durations[i]) || segment_durations[i] <= 0.0) {
+    if (!std::isfinite(segment_durations[i]) || segment_durations[i] < kShortestSegment) {
       throwInvalidArgument("segment duration ", i, " is ", segment_durations[i],
-                           " s; it must be finite and > 0");
+                           " s; it must be finite and >= ", kShortestSegment, " s");
     }
   }
 }

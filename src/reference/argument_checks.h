@@ -11,7 +11,7 @@ namespace aqc {
 void requireWaypoints(const std::vector<Waypoint>& waypoints);
 
 /// Throws std::invalid_argument unless there is one duration less than points (named `points` in
-/// the message) and all are finite and > 0.
+/// the message) and all are finite and >= kShortestSegment.
 void requireDurations(const std::vector<double>& segment_durations, std::size_t point_count,
                       const char* points);
 

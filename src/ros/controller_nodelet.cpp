@@ -102,13 +102,28 @@ void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) 
   const State state = toState(*message);
   const Nanoseconds time = toNanoseconds(message->header.stamp);
   if (!state.valid()) return dropOdometry("it is not finite or not a pose");
-  const StepClock::Answer answer = clock_->hear(time, imu_ && imu_->awaits(time));
+  StepClock::Answer answer = clock_->hear(time, imu_ && imu_->awaits(time));
+  if (answer == StepClock::Answer::kRestart) {
+    startAnew();
+    answer = clock_->hear(time, imu_ && imu_->awaits(time));
+  }
   if (answer == StepClock::Answer::kDrop) return dropOdometry("its stamp goes back");
   state_ = state;
   diagnostics_->heardOdometry();
   diagnostics_->monitor().countOdometry(time, toNanoseconds(ros::Time::now()));
   if (answer == StepClock::Answer::kStep) step(time);
   if (answer == StepClock::Answer::kRepeat) publishMotors();
+}
+
+void ControllerNodelet::startAnew() {
+  schedule_ = SetPointSchedule();
+  if (switch_) switch_->restart();
+  controller_->step(State(), nullptr, toSeconds(clock_->period()));  // the law forgets
+  diagnostics_->monitor().countNewStart();
+  NODELET_WARN_THROTTLE(kWarningPeriod,
+                        "odometry went back by more than %.0f s, so its clock was started anew: "
+                        "the rotors stand still until a new set point comes",
+                        toSeconds(kNewStart));
 }
 
 void ControllerNodelet::dropOdometry(const char* reason) {

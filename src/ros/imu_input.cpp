@@ -1,5 +1,6 @@
 #include "adaptive_quadrotor_control/ros/imu_input.h"
 
+#include <cmath>
 #include <utility>
 
 namespace aqc {
@@ -33,9 +34,9 @@ void ImuInput::feed(FlightController& controller, Nanoseconds odometry) {
   const std::string topic = subscriber_.getTopic();
   if (was_usable) {
     ROS_WARN(
-        "'%s' has been silent for %.3f s: the acceleration comes from the velocity until it "
-        "is back",
-        topic.c_str(), toSeconds(odometry - monitor_.time()));
+        "the last sample of '%s' is %.3f s away from the odometry: the acceleration comes from the "
+        "velocity until it is back",
+        topic.c_str(), std::abs(toSeconds(odometry - monitor_.time())));
   } else {
     ROS_INFO("'%s' is there", topic.c_str());
   }

@@ -22,6 +22,13 @@ void SwitchInput::onOrder(const msgs::ActiveSubsystem::ConstPtr& message) {
   }
 }
 
+void SwitchInput::restart() noexcept {
+  orders_.clear();
+  subsystems_->restart();
+  refused_subsystem_ = 0;
+  refusal_.clear();
+}
+
 void SwitchInput::step(Nanoseconds now) {
   while (const auto report = orders_.next(*subsystems_, now)) {
     if (!report->objected()) continue;

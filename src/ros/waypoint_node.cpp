@@ -3,8 +3,10 @@
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
+#include "adaptive_quadrotor_control/reference/braking.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/ros/parameter_tree.h"
 #include "adaptive_quadrotor_control/ros/run_node.h"
@@ -25,8 +27,9 @@ WaypointNode::WaypointNode() {
   const ParameterReader own = parameterReader(private_node_, "");
   limits_.speed = own.number("speed", Range::positiveUpTo(50.0), 2.0);
   limits_.acceleration = own.number("acceleration", Range::positiveUpTo(50.0), 2.0);
-  limits_.tilt = own.number("max_tilt_deg", Range::positiveUpTo(80.0), 30.0) * M_PI / 180.0;
+  limits_.tilt = own.angle("max_tilt_deg", Range::positiveUpTo(80.0), M_PI / 6.0);
   limits_.thrust_to_weight = own.number("thrust_to_weight", Range{1.0, 10.0, true}, 1.5);
+  flight_limits_ = limits_;
   set_point_period_ =
       fromSeconds(1.0 / own.number("set_point_rate", Range::between(1.0, 1000.0), 100.0));
   own.finish();
@@ -101,15 +104,18 @@ double WaypointNode::fly(const nav_msgs::Path& path, const MotionLimits& limits)
   waypoints.insert(waypoints.begin(), presentWaypoint());
   const PolynomialTrajectory trajectory = minimumSnapWithin(waypoints, limits);
   send(trajectory, msgs::PathProgress::FLYING);
+  flight_limits_ = limits;
   return trajectory.duration();
 }
 
 void WaypointNode::send(const PolynomialTrajectory& trajectory, std::uint8_t phase) {
-  begin_ = ros::Time::now();
+  const ros::Time begin = ros::Time::now();
+  const std::vector<TimedSetPoint> set_points =
+      sample(trajectory, toNanoseconds(begin), set_point_period_);
+  begin_ = begin;
   duration_ = trajectory.duration();
   phase_ = phase;
-  const Nanoseconds begin = toNanoseconds(begin_);
-  trajectory_publisher_.publish(toTrajectory(sample(trajectory, begin, set_point_period_), begin));
+  trajectory_publisher_.publish(toTrajectory(set_points, toNanoseconds(begin)));
 }
 
 void WaypointNode::onPath(const nav_msgs::Path::ConstPtr& path) {
@@ -134,34 +140,40 @@ bool WaypointNode::onFlyPath(msgs::FlyPath::Request& request, msgs::FlyPath::Res
   return true;
 }
 
-// Brakes along the present velocity: a stop over the distance that the allowed acceleration needs,
-// with some to spare because minimum snap does not brake evenly.
 bool WaypointNode::onCancel(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   if (phase_ != msgs::PathProgress::FLYING) {
     response.success = false;
     response.message = "no path is being flown";
     return true;
   }
-  const Waypoint present = presentWaypoint();
-  Waypoint stop;
-  stop.position = present.position;
-  stop.yaw = present.yaw;
-  if (present.velocity) {
-    const Eigen::Vector3d velocity = present.velocity->head<3>();
-    stop.position += velocity * velocity.norm() / limits_.acceleration;
+  try {
+    const PolynomialTrajectory stop = brakeWithin(presentWaypoint(), flight_limits_);
+    send(stop, msgs::PathProgress::CANCELLED);
+    const FlatOutput begin = stop.evaluate(0.0);
+    const FlatOutput end = stop.evaluate(stop.duration());
+    const double distance = (end.derivative[0] - begin.derivative[0]).head<3>().norm();
+    char text[64];
+    std::snprintf(text, sizeof text, "stops in %.2f s, %.2f m from here", stop.duration(),
+                  distance);
+    response.success = true;
+    response.message = text;
+  } catch (const std::invalid_argument& error) {
+    response.success = false;
+    response.message = error.what();
   }
-  send(minimumSnapWithin({present, stop}, limits_), msgs::PathProgress::CANCELLED);
-  response.success = true;
   return true;
 }
 
 void WaypointNode::onTimer(const ros::TimerEvent&) {
-  const double elapsed = (ros::Time::now() - begin_).toSec();
+  const ros::Time now = ros::Time::now();
+  // The controller begins anew, too, and has forgotten the path.
+  if (startedAnew(toNanoseconds(begin_), toNanoseconds(now))) phase_ = msgs::PathProgress::IDLE;
+  const double elapsed = (now - begin_).toSec();
   if (phase_ == msgs::PathProgress::FLYING && elapsed >= duration_) {
     phase_ = msgs::PathProgress::DONE;
   }
   msgs::PathProgress progress;
-  progress.header.stamp = ros::Time::now();
+  progress.header.stamp = now;
   progress.phase = phase_;
   if (phase_ != msgs::PathProgress::IDLE) {
     progress.fraction = duration_ > 0.0 ? std::min(1.0, elapsed / duration_) : 1.0;

@@ -119,20 +119,22 @@ class MissionBuilder {
     if (waypoints.size() < 2) {
       entry.refuse("through", "is empty; it must list at least one waypoint");
     }
-    const std::vector<TimedSetPoint> leg =
-        sample(solve(entry, waypoints, durations), start, period_);
+    const std::vector<TimedSetPoint> leg = setPoints(entry, waypoints, durations, start);
     mission_.set_points.insert(mission_.set_points.end(), leg.begin(), leg.end());
     present_ = leg.back().set_point;
     leg_end_ = leg.back().time;
   }
 
-  // Without durations these follow from the entry's limits.
-  static PolynomialTrajectory solve(const ParameterReader& entry,
-                                    const std::vector<Waypoint>& waypoints,
-                                    const std::vector<double>& durations) {
+  // The set points of a path; without durations these follow from the entry's limits.
+  std::vector<TimedSetPoint> setPoints(const ParameterReader& entry,
+                                       const std::vector<Waypoint>& waypoints,
+                                       const std::vector<double>& durations,
+                                       Nanoseconds start) const {
     try {
-      if (!durations.empty()) return minimumSnap(waypoints, durations);
-      return minimumSnapWithin(waypoints, readLimits(entry.child("limits")));
+      const PolynomialTrajectory trajectory =
+          durations.empty() ? minimumSnapWithin(waypoints, readLimits(entry.child("limits")))
+                            : minimumSnap(waypoints, durations);
+      return sample(trajectory, start, period_);
     } catch (const std::invalid_argument& error) {
       entry.refuse("through", std::string("cannot be flown: ") + error.what());
     }
@@ -150,6 +152,11 @@ class MissionBuilder {
   void sine(const ParameterReader& entry) {
     const Nanoseconds start = beginLeg(entry);
     const Nanoseconds end = readEnd(entry, start);
+    try {
+      requireFewSetPoints(toSeconds(end - start), period_);
+    } catch (const std::invalid_argument& error) {
+      entry.refuse("until", std::string("is too late: ") + error.what());
+    }
     const Eigen::Vector3d middle = entry.vector3("position", Range::any());
     const Eigen::Vector3d amplitude = entry.vector3("amplitude", Range::any());
     const double frequency = entry.number("angular_frequency", kFrequency);

@@ -29,14 +29,19 @@ State readStart(const ParameterReader& reader) {
   return start;
 }
 
-// Payloads with a `place` lie there until they are picked up; the others appear when attached.
-std::map<std::string, Payload> readPayloads(const ParameterReader& reader,
+// Payloads with a `place` lie there, on the ground, until they are picked up; the others appear
+// when attached.
+std::map<std::string, Payload> readPayloads(const ParameterReader& reader, bool ground,
                                             std::vector<Cargo>& cargo) {
   std::map<std::string, Payload> payloads;
   for (const std::string& name : reader.keys()) {
     const ParameterReader entry = reader.child(name);
     payloads[name] = readPayload(entry);
     if (!entry.has("place")) continue;
+    if (!ground) {
+      entry.refuse("place", "is " + entry.valueText("place") +
+                                ", on the ground, but 'ground' is false; leave one of them out");
+    }
     const std::vector<double> place = entry.numbers("place", 2, Range::any());
     const double height = 0.5 * payloads[name].size.z();
     cargo.push_back({name, payloads[name], {place[0], place[1], height}, {}});
@@ -113,14 +118,16 @@ Scenario readScenario(const ParameterReader& reader) {
   checkRates(reader, scenario);
   scenario.start = readStart(reader.child("start"));
 
+  scenario.ground = reader.flag("ground", true);
   std::map<std::string, Payload> payloads;
-  if (reader.has("payloads")) payloads = readPayloads(reader.child("payloads"), scenario.cargo);
+  if (reader.has("payloads")) {
+    payloads = readPayloads(reader.child("payloads"), scenario.ground, scenario.cargo);
+  }
   if (reader.has("walls")) {
     for (const ParameterReader& wall : reader.children("walls")) {
       scenario.walls.push_back(readBox(wall));
     }
   }
-  scenario.ground = reader.flag("ground", true);
   SetPoint start;
   start.position = scenario.start.position;
   start.yaw = rollPitchYaw(scenario.start.attitude).z();

@@ -131,7 +131,7 @@ void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
     }
     disturb();
     plant_.step(command, dt);
-    for (Cargo& cargo : cargo_) cargo.fall(dt);
+    for (Cargo& cargo : cargo_) cargo.fall(dt, plant_.hasGround());
     now_ += step_;
     if (!crash_time_ && plant_.crash() != Crash::kNone) crash_time_ = now_;
   }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Diagnostics change under real faults: a payload too heavy, a simulator that stands still."""
+"""Diagnostics change under real faults: a payload too heavy, a simulator that stops, a new clock."""
 import os
 import signal
 import sys
@@ -12,7 +12,8 @@ import rostest
 from adaptive_quadrotor_control.srv import AttachPayload
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Vector3
-from uav import PACKAGE, Uav
+from nav_msgs.msg import Odometry
+from uav import PACKAGE, Uav, odometry
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 
@@ -63,6 +64,21 @@ class Diagnostics(unittest.TestCase):
         finally:
             os.kill(pid, signal.SIGCONT)
         self.expect('Odometry', [OK])
+
+    def test_4_a_late_message_and_a_clock_that_begins_anew(self):
+        publisher = rospy.Publisher('/uav/odometry', Odometry, queue_size=10)
+        self.uav.wait('a connection', lambda: publisher.get_num_connections() > 0)
+        self.expect('Messages', [OK])
+        publisher.publish(odometry(self.uav.now - 0.3))
+        self.expect('Messages', [WARN], 'refused 1 of odometry')
+        self.assertTrue(self.uav.state.flying)
+        publisher.publish(odometry(self.uav.now - 5.0))
+        self.expect('Messages', [WARN], 'began anew')
+        self.assertFalse(self.uav.state.flying)
+        self.assertEqual(list(self.uav.motors[-1].angular_velocities), [0.0] * 4)
+        self.expect('Messages', [OK])
+        self.uav.go(0, 0, 2.0)
+        self.uav.wait('the rotors to turn', lambda: self.uav.state.flying)
 
 
 if __name__ == '__main__':

@@ -5,6 +5,7 @@ import threading
 import rospy
 from adaptive_quadrotor_control.msg import Actuators, ControllerState, PlantStatus
 from geometry_msgs.msg import Point, PoseStamped, Transform, Twist
+from nav_msgs.msg import Odometry
 from roslib.packages import find_node
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
 
@@ -81,6 +82,14 @@ class Uav:
     def error(self):
         e = self.state.position_error
         return math.sqrt(e.x ** 2 + e.y ** 2 + e.z ** 2)
+
+
+def odometry(stamp):
+    """At rest in the origin."""
+    message = Odometry()
+    message.header.stamp = rospy.Time.from_sec(stamp)
+    message.pose.pose.orientation.w = 1.0
+    return message
 
 
 def trajectory(begin, points):

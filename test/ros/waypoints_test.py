@@ -90,7 +90,22 @@ class Waypoints(unittest.TestCase):
         self.assertLess(max(steps), 0.15)  # the set point brakes, it does not jump
         self.assertFalse(self.cancel().success)
 
-    def test_4_refuses_senseless_paths(self):
+    def test_4_cancelled_beyond_the_limits_of_the_node_it_brakes(self):
+        response = self.fly(path=path((0, 0, 1.0, 0)), speed=2.0 * SPEED)
+        self.assertTrue(response.success, response.message)
+        self.uav.wait('more speed than the node allows by itself',
+                      lambda: abs(self.uav.state.desired_velocity.x) > 1.1 * SPEED)
+        stopped = self.cancel()
+        self.assertTrue(stopped.success, stopped.message)
+        self.assertIn('stops in', stopped.message)
+        self.uav.wait('the cancelled phase',
+                      lambda: self.progress[-1].phase == PathProgress.CANCELLED)
+        self.uav.sleep(response.duration)
+        self.assertEqual(self.uav.state.desired_velocity.x, 0.0)
+        self.assertGreater(self.uav.state.desired_position.x, 0.5)  # short of the path's end
+        self.uav.wait('the vehicle at rest there', lambda: self.uav.error() < 0.1)
+
+    def test_5_refuses_senseless_paths(self):
         nan = float('nan')
         for bad, word in ((path(), 'no poses'), (path((nan, 0, 1, 0)), 'pose 0'),
                           (path((0, 0, 1, 0), frame='nowhere'), 'nowhere')):
@@ -98,6 +113,10 @@ class Waypoints(unittest.TestCase):
             self.assertFalse(response.success)
             self.assertIn(word, response.message)
         self.assertFalse(self.fly(path=path((0, 0, 1, 0)), speed=-1.0).success)
+        endless = self.fly(path=path((0, 0, 1, 0)), speed=1e-6)
+        self.assertFalse(endless.success)
+        self.assertIn('it must be <= 10000 s', endless.message)
+        self.assertFalse(self.cancel().success)  # nothing is being flown
 
 
 if __name__ == '__main__':

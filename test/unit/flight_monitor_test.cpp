@@ -118,6 +118,21 @@ TEST_F(FlightMonitorTest, CountsWhatWasRefused) {
   expect(judge("Messages"), Health::kOk, "none");
 }
 
+TEST_F(FlightMonitorTest, TellsOnceOfAClockThatBeganAnew) {
+  now_ = 100'000'000'000;
+  fly();
+  judge("Messages");
+  now_ = 1'000'000'000;
+  monitor_.countNewStart();
+  fly();
+  for (const Finding& finding : monitor_.judge(now_, 0.004)) {
+    const bool told = finding.name == "Messages";
+    EXPECT_EQ(finding.health, told ? Health::kWarn : Health::kOk) << finding.reason;
+    if (told) expect(finding, Health::kWarn, "began anew");
+  }
+  expect(judge("Messages"), Health::kOk, "none");
+}
+
 TEST_F(FlightMonitorTest, SeesAVehicleThatDoesNotFollow) {
   telemetry_.position_error.x() = 1.5;
   fly();

@@ -43,6 +43,29 @@ TEST(ImuMonitor, DropsAndCountsBadSamples) {
   EXPECT_EQ(imu.at(10)->x(), 3.0);
 }
 
+TEST(ImuMonitor, FollowsAClockThatStartsAnew) {
+  constexpr Nanoseconds kOld = 100 * kNewStart;
+  ImuMonitor imu;
+  imu.take({1, 0, 0}, kOld);
+  ASSERT_NE(imu.at(kOld), nullptr);
+  EXPECT_FALSE(imu.take({2, 0, 0}, kOld - kNewStart)) << "late";
+  EXPECT_FALSE(imu.covers(kNewStart)) << "of the old time";
+  EXPECT_TRUE(imu.take({3, 0, 0}, kNewStart));
+  EXPECT_TRUE(imu.covers(kNewStart));
+  ASSERT_NE(imu.at(kNewStart), nullptr);
+  EXPECT_EQ(imu.at(kNewStart)->x(), 3.0);
+  EXPECT_EQ(imu.losses(), 0);
+  EXPECT_EQ(imu.dropped(), 1);
+}
+
+TEST(ImuMonitor, GivesNoSampleOfTheOldTime) {
+  ImuMonitor imu;
+  imu.take({1, 0, 0}, 100 * kNewStart);
+  ASSERT_NE(imu.at(100 * kNewStart), nullptr);
+  EXPECT_EQ(imu.at(kNewStart), nullptr);
+  EXPECT_EQ(imu.losses(), 1);
+}
+
 TEST(ImuMonitor, CoversOdometryThatIsNotNewer) {
   ImuMonitor imu;
   EXPECT_FALSE(imu.covers(0));

@@ -176,7 +176,7 @@ TEST(MinimumSnap, NamesWhatIsWrong) {
   EXPECT_EQ(refusal([&] {
               minimumSnap(four, {1.0, 1.0, -1.0});
             }),
-            "segment duration 2 is -1 s; it must be finite and > 0");
+            "segment duration 2 is -1 s; it must be finite and >= 1e-09 s");
   for (const double duration : {0.0, -0.0, kInf, -kInf, kNan}) {
     EXPECT_EQ(refusal([&] {
                 minimumSnap(four, {1.0, duration, 1.0});

@@ -224,6 +224,17 @@ TEST(Mission, RefusesEntriesThatItDoesNotKnow) {
                 {"'scenario/mission[0]/step/speed'", "unknown"});
 }
 
+TEST(Mission, RefusesLegsThatMakeTooManySetPoints) {
+  expectRefused(
+      "  - path: {at: 1, limits: {speed: 1.0e-6, acceleration: 1}, through: [{position: [5, 2, "
+      "3]}]}\n",
+      {"'scenario/mission[0]/path/through' cannot be flown", "the duration is", "<= 100000 s"});
+  expectRefused(
+      "  - sine: {at: 1, until: 200000, position: [0, 0, 1], amplitude: [0, 0, 1], "
+      "angular_frequency: 1}\n",
+      {"'scenario/mission[0]/sine/until' is too late", "199999 s", "<= 100000 s"});
+}
+
 TEST(Mission, RefusesValuesOutOfRange) {
   expectRefused("  - step: {at: .nan, position: [0, 0, 1]}\n",
                 {"'scenario/mission[0]/step/at'", "'.nan'"});

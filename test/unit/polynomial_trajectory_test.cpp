@@ -107,6 +107,26 @@ TEST(PolynomialTrajectory, StretchingScalesDerivativesAndCost) {
   }
 }
 
+TEST(PolynomialTrajectory, IsFiniteDownToTheShortestSegmentAndRefusesShorterOnes) {
+  std::vector<KnotState> knots(2, KnotState::Zero());
+  knots[1].col(0).setConstant(100.0);
+  const PolynomialTrajectory shortest(knots, {kShortestSegment});
+  for (const double share : {0.0, 0.3, 1.0}) {
+    for (const Eigen::Vector4d& derivative :
+         shortest.evaluate(share * kShortestSegment).derivative) {
+      EXPECT_TRUE(derivative.allFinite()) << share;
+    }
+  }
+  EXPECT_TRUE(std::isfinite(shortest.snapCost()));
+  for (const double duration : {0.9e-9, 1e-78, 1e-300}) {
+    EXPECT_NE(refusal([&] { PolynomialTrajectory(knots, {duration}); }).find(">= 1e-09 s"),
+              std::string::npos)
+        << duration;
+  }
+  EXPECT_NE(refusal([&] { exampleTrajectory().stretched(1e-80); }).find(">= 1e-09 s"),
+            std::string::npos);
+}
+
 TEST(PolynomialTrajectory, RefusesWhatIsNoTrajectory) {
   const std::vector<KnotState> two(2, KnotState::Zero());
   EXPECT_NE(refusal([&] { PolynomialTrajectory({}, {}); }), "");

@@ -144,6 +144,14 @@ TEST(Scenario, RefusesPayloadsThatMakeNoSense) {
   expectRefused("payload: box", "payload: crate", {"'crate'", "'payloads'"});
 }
 
+TEST(Scenario, RefusesPayloadsThatLieOnAGroundThatIsNotThere) {
+  const std::string lying =
+      replaced(kGood, "offset: [0.0, 0.0, -0.15]}", "offset: [0.0, 0.0, -0.15], place: [1, 2]}");
+  EXPECT_EQ(read(lying).cargo.size(), 1u);
+  expectRefusal([&] { read(lying + "ground: false\n"); },
+                {"'scenario/payloads/box/place'", "'ground' is false"});
+}
+
 TEST(Scenario, RefusesWallsInsideOut) {
   expectRefused("metrics:", "walls: [{min: [0, 0, 0], max: [1, 0, 1]}]\nmetrics:",
                 {"'scenario/walls[0]/max' is [1, 0, 1]", "above", "[0, 0, 0]"});

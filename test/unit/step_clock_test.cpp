@@ -89,17 +89,42 @@ TEST(StepClock, OdometryThatIsLateMakesAStepOfAtMostTwoPeriods) {
   EXPECT_EQ(clock.begin(now, true), 2.0 * kSeconds);
 }
 
-// A clock that starts anew looks the same: nothing is accepted until it has passed the old time.
 TEST(StepClock, StampsThatGoBackAreDropped) {
   for (StepClock clock : {triggeredByOdometry(), triggeredByTimer()}) {
     EXPECT_NE(clock.hear(kStart, false), Answer::kDrop);
     clock.begin(kStart, true);
     EXPECT_EQ(clock.hear(kStart - 1, false), Answer::kDrop);
-    EXPECT_EQ(clock.hear(0, true), Answer::kDrop);
+    EXPECT_EQ(clock.hear(kStart - kNewStart, true), Answer::kDrop);
     EXPECT_EQ(clock.odometryTime(), kStart);
     EXPECT_FALSE(clock.waiting());
     EXPECT_NE(clock.hear(kStart + kPeriod, false), Answer::kDrop);
   }
+}
+
+TEST(StepClock, StampsThatGoBackFarAreANewStart) {
+  const Nanoseconds again = 17 * kStart - kNewStart - 1;
+  for (StepClock clock : {triggeredByOdometry(), triggeredByTimer()}) {
+    const bool by_timer = clock.trigger() == StepClock::Trigger::kTimer;
+    clock.hear(17 * kStart, false);
+    clock.begin(17 * kStart, true);
+    EXPECT_EQ(clock.hear(again, true), Answer::kRestart);
+    EXPECT_FALSE(clock.waiting());
+    EXPECT_EQ(clock.odometryTime(), 0) << "nothing has been heard yet";
+    EXPECT_EQ(clock.hear(again, false), by_timer ? Answer::kNone : Answer::kStep);
+    EXPECT_EQ(clock.odometryTime(), again);
+    EXPECT_EQ(clock.begin(again, false), kSeconds) << "one period, as after the first odometry";
+    EXPECT_EQ(clock.hear(again - 1, false), Answer::kDrop);
+    EXPECT_EQ(clock.hear(again + kPeriod, false), by_timer ? Answer::kNone : Answer::kStep);
+    EXPECT_EQ(clock.period(), kPeriod);
+  }
+}
+
+TEST(StepClock, ANewStartEndsTheWaitingForTheImu) {
+  StepClock clock = triggeredByOdometry();
+  EXPECT_EQ(clock.hear(17 * kStart, true), Answer::kWait);
+  EXPECT_EQ(clock.hear(kStart, true), Answer::kRestart);
+  EXPECT_FALSE(clock.waiting());
+  EXPECT_EQ(clock.hear(kStart, true), Answer::kWait);
 }
 
 TEST(StepClock, StampsMayBeZeroOrNegative) {

@@ -69,6 +69,23 @@ TEST(SwitchSchedule, PolicyWarnSwitchesAndObjects) {
   EXPECT_NE(subject.text().find("policy warn"), std::string::npos);
 }
 
+TEST(SwitchSchedule, BeginsAnewWithItsClock) {
+  SubsystemSwitch subject = subsystems();
+  SwitchSchedule schedule;
+  schedule.plan({100 * kSecond, 2});
+  schedule.plan({102 * kSecond, 3});
+  ASSERT_TRUE(schedule.next(subject, 100 * kSecond));
+  schedule.clear();
+  subject.restart();
+  EXPECT_EQ(schedule.pending(), 0u);
+  EXPECT_FALSE(schedule.next(subject, 200 * kSecond));
+  schedule.plan({kSecond, 3});
+  const auto report = schedule.next(subject, kSecond);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->verdict.outcome, SwitchOutcome::kSwitched) << "no dwell time of the old clock";
+  EXPECT_EQ(subject.active(), 3);
+}
+
 TEST(SwitchSchedule, HasABound) {
   SwitchSchedule schedule;
   for (std::size_t i = 0; i < SwitchSchedule::kMost; ++i) ASSERT_TRUE(schedule.plan({1, 2}));

@@ -175,6 +175,16 @@ TEST(TimedPlant, ADetachedPayloadFallsAndCanBePickedUpAgain) {
   EXPECT_NEAR(plant.plant().state().velocity.z(), expected.z(), 0.05);
 }
 
+TEST(TimedPlant, WithoutGroundADetachedPayloadFallsOn) {
+  TimedPlant plant(Plant(test::pelican(), State(), {}, false), {}, kMillisecond);
+  plant.schedule({0, AttachPayload{"box", test::box(0.5)}});
+  plant.schedule({kMillisecond, DetachPayload{}});
+  plant.advance(off(), 1001 * kMillisecond);
+  ASSERT_EQ(plant.cargo().size(), 1u);
+  EXPECT_NEAR(plant.cargo().front().velocity.z(), -kGravity * 1.001, 1e-9);
+  EXPECT_LT(plant.cargo().front().position.z(), -4.9);
+}
+
 TEST(TimedPlant, RefusesToPickUpWhatIsOutOfReachAndSaysWhy) {
   State state;
   state.position.z() = 10.0;

@@ -51,6 +51,8 @@ class FlightMonitor {
   /// Set points were accepted at `now`.
   void countSetPoint(Nanoseconds now) noexcept { set_point_time_ = now; }
   void countDroppedSetPoint() noexcept { ++dropped_set_points_; }
+  /// The clock of the odometry was started anew, and the controller with it.
+  void countNewStart() noexcept { ++new_starts_; }
   /// A control step at `now`. Only steps that fly tell about rotors and mass.
   void countStep(Nanoseconds now, bool flying, const Telemetry& telemetry, bool saturated) noexcept;
 
@@ -88,6 +90,7 @@ class FlightMonitor {
   std::uint32_t odometry_ = 0;
   std::uint32_t dropped_odometry_ = 0;
   std::uint32_t dropped_set_points_ = 0;
+  std::uint32_t new_starts_ = 0;
   std::uint32_t flying_steps_ = 0;
   std::uint32_t saturated_steps_ = 0;
 };

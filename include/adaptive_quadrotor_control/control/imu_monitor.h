@@ -13,15 +13,18 @@ class ImuMonitor {
   static constexpr Nanoseconds kOldest = 100'000'000;  ///< usable behind the odometry [ns]
 
   /// A sample in B [m/s^2]. False, and it is dropped and counted, when it is not finite or older
-  /// than the one before.
+  /// than the one before, unless so much that the clock was started anew (startedAnew()).
   bool take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept;
 
-  /// What goes with odometry of the time `now`: null when the latest sample is older than kOldest
-  /// or none has ever come. A loss is counted once, when usable() turns false.
+  /// What goes with odometry of the time `now`: null when the latest sample is older than kOldest,
+  /// when it is of the time before a new start, or when none has ever come. A loss is counted once,
+  /// when usable() turns false.
   const Eigen::Vector3d* at(Nanoseconds now) noexcept;
 
   /// Whether a sample not older than `now` has come.
-  bool covers(Nanoseconds now) const noexcept { return started_ && time_ >= now; }
+  bool covers(Nanoseconds now) const noexcept {
+    return started_ && time_ >= now && !startedAnew(time_, now);
+  }
   /// Whether the last at() gave a sample.
   bool usable() const noexcept { return usable_; }
   Nanoseconds time() const noexcept { return time_; }  ///< of the latest sample

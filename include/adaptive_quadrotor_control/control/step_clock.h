@@ -20,11 +20,13 @@ class StepClock {
 
   /// What odometry calls for.
   enum class Answer {
-    kDrop,    ///< nothing, and it must not be used: its stamp goes back
-    kNone,    ///< nothing yet: the timer will use it
-    kRepeat,  ///< the last command again
-    kWait,    ///< a step when the IMU sample of its time arrives: see waiting()
-    kStep,    ///< a step now
+    kDrop,     ///< nothing, and it must not be used: its stamp goes back
+    kRestart,  ///< forget all that was planned and learned, then let it be heard again: its stamp
+               ///< goes back so far that the clock was started anew (startedAnew() of time.h)
+    kNone,     ///< nothing yet: the timer will use it
+    kRepeat,   ///< the last command again
+    kWait,     ///< a step when the IMU sample of its time arrives: see waiting()
+    kStep,     ///< a step now
   };
 
   /// `period` [ns] is that of the steps; throws std::invalid_argument unless it is > 0.
@@ -40,6 +42,8 @@ class StepClock {
   ///
   /// With kTimer only the same stamp again makes a step, while nothing flies: a paused simulation
   /// repeats its odometry with its clock, and so the timer, standing still.
+  ///
+  /// After kRestart nothing of the old time is left, and any stamp is the first one.
   Answer hear(Nanoseconds stamp, bool imu_awaited) noexcept;
 
   /// Begins a step at `now`, which ends the waiting; `flying` tells whether it has a set point.

@@ -39,6 +39,8 @@ class SwitchSchedule {
   std::optional<SwitchReport> next(SubsystemSwitch& subsystems, Nanoseconds now) noexcept;
 
   std::size_t pending() const noexcept { return orders_.size() - next_; }
+  /// Drops what waits, for a clock that starts anew: its times mean nothing there.
+  void clear() noexcept;
 
  private:
   std::vector<SwitchOrder> orders_;  // by time

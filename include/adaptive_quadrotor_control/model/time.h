@@ -18,4 +18,13 @@ inline double toSeconds(Nanoseconds time) {
   return static_cast<double>(time) / 1e9;
 }
 
+/// A clock that goes back further than this was started anew, as when a simulator is reset; less is
+/// a message that comes late.
+constexpr Nanoseconds kNewStart = 1'000'000'000;
+
+/// Whether a clock that showed `before` and shows `now` was started anew in between.
+inline bool startedAnew(Nanoseconds before, Nanoseconds now) noexcept {
+  return before - now > kNewStart;
+}
+
 }  // namespace aqc

@@ -40,10 +40,10 @@ enum class EndDerivatives {
 /// usually and up to about 1e-3 in the worst of such mixtures.
 ///
 /// Throws std::invalid_argument, naming what is wrong, when there is no waypoint, when there is
-/// not exactly one duration less than waypoints, when a duration is not finite and > 0, when a
-/// number of a waypoint is not finite, when a lone waypoint has a non-zero fixed derivative, when
-/// free ends leave the optimum undetermined (possible with two or three waypoints only), or when
-/// the numbers are so extreme that the solution overflows.
+/// not exactly one duration less than waypoints, when a duration is not finite and >=
+/// kShortestSegment, when a number of a waypoint is not finite, when a lone waypoint has a non-zero
+/// fixed derivative, when free ends leave the optimum undetermined (possible with two or three
+/// waypoints only), or when the numbers are so extreme that the solution overflows.
 PolynomialTrajectory minimumSnap(const std::vector<Waypoint>& waypoints,
                                  const std::vector<double>& segment_durations,
                                  EndDerivatives ends = EndDerivatives::kRest);

@@ -11,6 +11,10 @@ namespace aqc {
 /// (radians, not wrapped); columns value, velocity, acceleration, jerk (SI units).
 using KnotState = Eigen::Matrix4d;
 
+/// The shortest that a segment may last [s]: what time is counted in. Fourth powers of far shorter
+/// ones are too small for a double.
+constexpr double kShortestSegment = 1e-9;
+
 /// The flat outputs (x, y, z, yaw) and their time derivatives at one instant.
 /// derivative[0] is position (m) and yaw (rad), [1] velocity, [2] acceleration, [3] jerk, [4] snap,
 /// in m/s^k and rad/s^k; position in the world frame with z up, yaw about world z and not wrapped.
@@ -30,8 +34,8 @@ class PolynomialTrajectory {
   /// of zero duration; its derivatives are then not used.
   ///
   /// Throws std::invalid_argument when there is no knot, when there is not exactly one duration
-  /// less than knots, when a duration is not finite and > 0, when a knot is not finite, or when
-  /// these are so extreme that the coefficients overflow.
+  /// less than knots, when a duration is not finite and >= kShortestSegment, when a knot is not
+  /// finite, or when these are so extreme that the coefficients overflow.
   PolynomialTrajectory(const std::vector<KnotState>& knots,
                        const std::vector<double>& segment_durations);
 
@@ -55,7 +59,8 @@ class PolynomialTrajectory {
 
   /// The same path flown with every duration multiplied by `factor`: the k-th derivative scales
   /// with factor^-k and the cost with factor^-7, so that fixed non-zero derivatives change too.
-  /// Throws std::invalid_argument unless the factor is finite and > 0 and the durations stay so.
+  /// Throws std::invalid_argument unless the factor is finite and > 0 and the durations stay
+  /// finite and >= kShortestSegment.
   PolynomialTrajectory stretched(double factor) const;
 
  private:

@@ -10,8 +10,15 @@ namespace aqc {
 /// The set point of one instant of a trajectory: position to acceleration, yaw and its rate.
 SetPoint toSetPoint(const FlatOutput& output);
 
+/// The most set points that one leg may have: nearly three hours at 100 Hz, about 100 MB.
+constexpr long kMostSetPoints = 1'000'000;
+
+/// Throws std::invalid_argument unless the period is > 0 [ns] and set points for `duration`
+/// seconds, one every `period`, are at most kMostSetPoints.
+void requireFewSetPoints(double duration, Nanoseconds period);
+
 /// A trajectory that begins at `begin` as set points, one every `period` and one at its end. Throws
-/// std::invalid_argument unless the period is > 0.
+/// std::invalid_argument as requireFewSetPoints() does.
 std::vector<TimedSetPoint> sample(const PolynomialTrajectory& trajectory, Nanoseconds begin,
                                   Nanoseconds period);
 

@@ -35,6 +35,11 @@ namespace aqc {
 /// simulation needs; a law that needs the IMU then waits for its sample of the same stamp, unless
 /// it has fallen silent or odometry comes again first. Before the first good odometry and the first
 /// set point only zero speeds are published.
+///
+/// Odometry whose stamp goes back is dropped; by more than kNewStart it means that the clock was
+/// started anew, and so is the control: the law forgets what it learned, set points and switches of
+/// the old time are gone, and the rotors stand still until a new set point comes. One that came
+/// before the first odometry of the new time is of the old one.
 class ControllerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override;
@@ -48,6 +53,7 @@ class ControllerNodelet : public nodelet::Nodelet {
   void onTimer(const ros::TimerEvent& event);
 
   void accept(std::vector<TimedSetPoint> set_points, Nanoseconds now, const ros::Time& stamp);
+  void startAnew();
   void dropOdometry(const char* reason);
   void dropSetPoint(const char* what, const std::invalid_argument& error);
   void step(Nanoseconds now);

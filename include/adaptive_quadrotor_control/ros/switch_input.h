@@ -21,6 +21,10 @@ class SwitchInput {
   /// From now on orders go to the subsystems of another law; those still to come stay.
   void follow(SubsystemSwitch& subsystems) noexcept { subsystems_ = &subsystems; }
 
+  /// For a clock that starts anew: orders and switches of the old time are forgotten, the initial
+  /// subsystem is the active one.
+  void restart() noexcept;
+
   /// Carries out what is due in the control step at `now`.
   void step(Nanoseconds now);
   void fill(msgs::ControllerState& state, Nanoseconds now) const;

@@ -23,13 +23,13 @@ namespace aqc {
 /// Turns waypoints into a minimum-snap trajectory within limits and sends it to the controller.
 ///
 /// In: `waypoints` (nav_msgs/Path), `odometry`, `controller/state`. Services: `~fly_path`,
-/// `~cancel`. Out: `command/trajectory`, `~progress` (10 Hz). Parameters: `~speed`,
-/// `~acceleration`,
-/// `~max_tilt_deg`, `~thrust_to_weight`, `~set_point_rate`.
+/// `~cancel`. Out: `command/trajectory`, `~progress` (10 Hz). Parameters: `~speed` [m/s],
+/// `~acceleration` [m/s^2], `~max_tilt_deg`, `~thrust_to_weight`, `~set_point_rate` [Hz].
 ///
 /// A path begins at the present set point with its velocity and acceleration, so that nothing
 /// jumps; on the ground, without a set point, at the present position. A new path replaces the old
-/// one; `~cancel` brakes within the same limits and holds where that ends.
+/// one; `~cancel` brakes within the limits of the path, or beyond them if it must (see
+/// brakeWithin), and holds where that ends.
 class WaypointNode {
  public:
   /// Throws ParameterError.
@@ -48,7 +48,8 @@ class WaypointNode {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
-  MotionLimits limits_{};
+  MotionLimits limits_{};         // of the parameters
+  MotionLimits flight_limits_{};  // of the path that is flown
   Nanoseconds set_point_period_ = 0;
   tf2_ros::Buffer transforms_;
   tf2_ros::TransformListener listener_{transforms_};

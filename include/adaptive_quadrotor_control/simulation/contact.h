@@ -28,6 +28,8 @@ class Contact {
  public:
   Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground = true);
 
+  bool hasGround() const noexcept { return ground_; }
+
   void setPayload(const Payload* payload);
 
   /// False when nothing can touch while the origin of B is within `margin` [m] of `position` (W).

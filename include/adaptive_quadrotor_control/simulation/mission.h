@@ -43,7 +43,7 @@ struct Mission {
 /// which they begin, and a leg begins no earlier than the last one ends.
 ///
 /// A path or a sine becomes set points with velocity and acceleration, one every
-/// `set_point_period`. Throws ParameterError.
+/// `set_point_period`; one that makes more than kMostSetPoints is refused. Throws ParameterError.
 Mission readMission(const ParameterReader& scenario, const std::map<std::string, Payload>& payloads,
                     const SetPoint& start, Nanoseconds set_point_period);
 

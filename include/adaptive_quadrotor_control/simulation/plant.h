@@ -36,6 +36,8 @@ class Plant {
   const RotorArray& rotorSpeeds() const noexcept { return speeds_; }
   /// What an accelerometer at the origin of B reads [m/s^2], in B, at the start of the last step.
   Eigen::Vector3d specificForce() const noexcept;
+  /// Whether the ground z = 0 is there.
+  bool hasGround() const noexcept { return contact_.hasGround(); }
   /// Whether anything touches the ground or a wall.
   bool touching() const noexcept { return touching_; }
   /// The first crash, or Crash::kNone.

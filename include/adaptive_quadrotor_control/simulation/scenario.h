@@ -34,7 +34,7 @@ struct Scenario {
   std::vector<SwitchOrder> switches;      ///< by time; for laws with several subsystems
   std::vector<Cargo> cargo;               ///< payloads that lie about at the start
   std::vector<Box> walls;
-  bool ground = true;                          ///< at z = 0; false: free flight everywhere
+  bool ground = true;  ///< at z = 0; false: free flight everywhere, and nothing lies about
   Nanoseconds metrics_from = 0;                ///< RMS errors count from here to the end
   std::map<std::string, RmsErrors> published;  ///< by controller
 
