@@ -15,9 +15,13 @@ StepClock::StepClock(Nanoseconds period, Trigger trigger) : period_(period), tri
 
 StepClock::Answer StepClock::hear(Nanoseconds stamp, bool imu_awaited) noexcept {
   if (odometry_time_ && startedAnew(*odometry_time_, stamp)) {
+    confirmed_ = confirmed_ > 0 && stamp >= new_time_ ? confirmed_ + 1 : 1;
+    new_time_ = stamp;
+    if (confirmed_ < kConfirming) return Answer::kDrop;
     *this = StepClock(period_, trigger_);
     return Answer::kRestart;
   }
+  confirmed_ = 0;
   if (odometry_time_ && stamp < *odometry_time_) return Answer::kDrop;
   const bool again = odometry_time_ && stamp == *odometry_time_;
   odometry_time_ = stamp;

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Diagnostics change under real faults: a payload too heavy, a simulator that stops, a new clock."""
+import contextlib
 import os
 import signal
 import sys
@@ -55,30 +56,38 @@ class Diagnostics(unittest.TestCase):
         self.expect('Rotors', [WARN, ERROR], 'at a limit')
 
     def test_3_a_simulator_that_stands_still(self):
-        master = rosgraph.Master('/test')
-        _, _, pid = ServerProxy(master.lookupNode('/uav/plant')).getPid('/test')
-        os.kill(pid, signal.SIGSTOP)
-        try:
+        with self.frozen_plant():
             self.expect('Odometry', [ERROR], 'flies blind')
             self.expect('Control loop', [ERROR], 'stands still')
-        finally:
-            os.kill(pid, signal.SIGCONT)
         self.expect('Odometry', [OK])
 
     def test_4_a_late_message_and_a_clock_that_begins_anew(self):
-        publisher = rospy.Publisher('/uav/odometry', Odometry, queue_size=10)
+        publisher = rospy.Publisher('/uav/odometry', Odometry, queue_size=100)
         self.uav.wait('a connection', lambda: publisher.get_num_connections() > 0)
         self.expect('Messages', [OK])
         publisher.publish(odometry(self.uav.now - 0.3))
         self.expect('Messages', [WARN], 'refused 1 of odometry')
         self.assertTrue(self.uav.state.flying)
-        publisher.publish(odometry(self.uav.now - 5.0))
-        self.expect('Messages', [WARN], 'began anew')
-        self.assertFalse(self.uav.state.flying)
-        self.assertEqual(list(self.uav.motors[-1].angular_velocities), [0.0] * 4)
+        with self.frozen_plant():
+            for _ in range(20):
+                publisher.publish(odometry(1.0))
+            self.expect('Messages', [WARN], 'began anew')
+            self.uav.wait('a state of the new time', lambda: self.uav.now == 1.0)
+            self.assertFalse(self.uav.state.flying)
+            self.assertEqual(list(self.uav.motors[-1].angular_velocities), [0.0] * 4)
+            self.assertEqual(self.uav.state.adaptive_values, self.uav.states[0].adaptive_values)
         self.expect('Messages', [OK])
         self.uav.go(0, 0, 2.0)
         self.uav.wait('the rotors to turn', lambda: self.uav.state.flying)
+
+    @contextlib.contextmanager
+    def frozen_plant(self):
+        _, _, pid = ServerProxy(rosgraph.Master('/test').lookupNode('/uav/plant')).getPid('/test')
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            os.kill(pid, signal.SIGCONT)
 
 
 if __name__ == '__main__':

@@ -21,13 +21,15 @@ class StepClock {
   /// What odometry calls for.
   enum class Answer {
     kDrop,     ///< nothing, and it must not be used: its stamp goes back
-    kRestart,  ///< forget all that was planned and learned, then let it be heard again: its stamp
-               ///< goes back so far that the clock was started anew (startedAnew() of time.h)
+    kRestart,  ///< forget all that was planned and learned, then let it be heard again: the clock
+               ///< was started anew
     kNone,     ///< nothing yet: the timer will use it
     kRepeat,   ///< the last command again
     kWait,     ///< a step when the IMU sample of its time arrives: see waiting()
     kStep,     ///< a step now
   };
+
+  static constexpr int kConfirming = 10;
 
   /// `period` [ns] is that of the steps; throws std::invalid_argument unless it is > 0.
   StepClock(Nanoseconds period, Trigger trigger);
@@ -43,7 +45,10 @@ class StepClock {
   /// With kTimer only the same stamp again makes a step, while nothing flies: a paused simulation
   /// repeats its odometry with its clock, and so the timer, standing still.
   ///
-  /// After kRestart nothing of the old time is left, and any stamp is the first one.
+  /// Stamps that go back so far that their clock was started anew (startedAnew() of time.h) are
+  /// dropped until kConfirming of them came in a row, none behind the one before: a flight must
+  /// not end because of one message with a wrong stamp, or a second source of another time. The
+  /// last of them gets kRestart; nothing of the old time is left then, and any stamp is the first.
   Answer hear(Nanoseconds stamp, bool imu_awaited) noexcept;
 
   /// Begins a step at `now`, which ends the waiting; `flying` tells whether it has a set point.
@@ -64,8 +69,10 @@ class StepClock {
   Trigger trigger_;
   std::optional<Nanoseconds> odometry_time_;
   std::optional<Nanoseconds> last_step_;
-  bool flying_ = false;   // in the last step
-  bool waiting_ = false;  // for the IMU sample that goes with the odometry
+  Nanoseconds new_time_ = 0;  // the last stamp of a clock that may have been started anew
+  int confirmed_ = 0;         // how many such stamps came in a row
+  bool flying_ = false;       // in the last step
+  bool waiting_ = false;      // for the IMU sample that goes with the odometry
 };
 
 }  // namespace aqc

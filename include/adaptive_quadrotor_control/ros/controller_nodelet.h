@@ -36,10 +36,10 @@ namespace aqc {
 /// it has fallen silent or odometry comes again first. Before the first good odometry and the first
 /// set point only zero speeds are published.
 ///
-/// Odometry whose stamp goes back is dropped; by more than kNewStart it means that the clock was
-/// started anew, and so is the control: the law forgets what it learned, set points and switches of
-/// the old time are gone, and the rotors stand still until a new set point comes. One that came
-/// before the first odometry of the new time is of the old one.
+/// Odometry whose stamp goes back is dropped. StepClock::kConfirming in a row that go back by more
+/// than kNewStart mean that the clock was started anew, and so is the control: the law forgets what
+/// it learned, set points and switches of the old time are gone, and the rotors stand still until a
+/// new set point comes. One that came before the first odometry of the new time is of the old one.
 class ControllerNodelet : public nodelet::Nodelet {
  private:
   void onInit() override;
