@@ -37,6 +37,7 @@ Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
       rotor_count_(static_cast<int>(vehicle.rotors.size())),
       stiffness_(vehicle.mass * kGravity / (kFeet * kRestSink)),
       damping_(2.0 * kDampingRatio * std::sqrt(stiffness_ * vehicle.mass / kFeet)) {
+  if (ground_ || !walls_.empty()) longest_step_ = longestStableStep(vehicle);
   std::size_t next = 0;
   for (int i = 0; i < kFeet; ++i) {
     const double angle = (0.25 + 0.5 * i) * M_PI;
@@ -46,6 +47,18 @@ Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
   }
   for (const Rotor& rotor : vehicle.rotors) points_[next++] << rotor.position(), 0.0;
   setPayload(nullptr);
+}
+
+// Rocking on the feet: springs and dampers along the normal at half the squared radius, dampers
+// across it at the height of the centre of mass.
+double Contact::longestStableStep(const Vehicle& vehicle) const {
+  constexpr double kStable = 2.5;  // rate * step; RK4's limit is 2.78
+  const double inertia = vehicle.inertia.diagonal().minCoeff();
+  const double radius = 0.5 * kFeet * vehicle.gear_radius * vehicle.gear_radius;
+  const double height = kFeet * vehicle.gear_height * vehicle.gear_height;
+  const double spring_rate = std::sqrt(stiffness_ * radius / inertia);
+  const double damper_rate = damping_ * (radius + height) / inertia;
+  return kStable / (spring_rate + damper_rate);
 }
 
 void Contact::setPayload(const Payload* payload) {

@@ -6,11 +6,19 @@
 #include <stdexcept>
 #include <utility>
 
+#include "adaptive_quadrotor_control/parameters/number_text.h"
+
 namespace aqc {
 
 TimedPlant::TimedPlant(Plant plant, std::vector<Cargo> cargo, Nanoseconds step, Nanoseconds start)
     : plant_(std::move(plant)), cargo_(std::move(cargo)), step_(step), now_(start) {
   if (step <= 0) throw std::invalid_argument("the plant's step must be > 0 ns");
+  if (toSeconds(step) > plant_.longestStep()) {
+    throw std::invalid_argument("the plant's step is " + numberText(toSeconds(step)) +
+                                " s; it must be <= " + numberText(plant_.longestStep()) +
+                                " s for a vehicle of so little inertia to stand on the ground, "
+                                "or the scenario without ground and walls");
+  }
 }
 
 void TimedPlant::schedule(const PlantEvent& event) {

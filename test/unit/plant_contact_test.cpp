@@ -70,6 +70,21 @@ TEST(PlantContact, SettlesAfterASoftLandingWithoutACrash) {
   EXPECT_EQ(plant.crash(), Crash::kNone);
 }
 
+TEST(PlantContact, RocksToRestWithTheLeastInertiaThatTheStepAllows) {
+  for (const char* name : {"pelican", "pelican_thesis", "hummingbird", "firefly"}) {
+    Vehicle vehicle = test::vehicleNamed(name);
+    ASSERT_GT(Plant(vehicle, at(0.1)).longestStep(), 2.0 * kStep) << name;
+    while (Plant(vehicle, at(0.1)).longestStep() > 1.01 * kStep) vehicle.inertia *= 0.99;
+    State start = at(vehicle.gear_height);
+    start.body_rate = {0.5, -0.3, 0.2};
+    Plant plant(vehicle, start);
+    for (int i = 0; i < 3000; ++i) plant.step(off(), kStep);
+    EXPECT_LT(plant.state().body_rate.norm(), 1e-6) << name;
+    EXPECT_LT(plant.state().velocity.norm(), 1e-6) << name;
+    EXPECT_EQ(plant.crash(), Crash::kNone) << name;
+  }
+}
+
 TEST(PlantContact, StaysOnTheGroundUnderThrustBelowItsWeight) {
   const Vehicle vehicle = test::pelican();
   Plant plant(vehicle, at(0.1));

@@ -7,6 +7,7 @@
 
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 #include "support/fixtures.h"
+#include "support/refusal.h"
 
 namespace aqc {
 namespace {
@@ -78,6 +79,14 @@ TEST(TimedPlant, NeedsAPositiveStep) {
   const Plant plant(test::pelican(), State());
   EXPECT_THROW(TimedPlant(plant, {}, 0), std::invalid_argument);
   EXPECT_THROW(TimedPlant(plant, {}, -1), std::invalid_argument);
+}
+
+TEST(TimedPlant, NeedsAStepThatKeepsTheVehicleOnItsFeet) {
+  const Vehicle lifter = test::vehicleNamed("lifter");  // 1.7e-5 kg m^2
+  const std::string reason = test::refusal<std::invalid_argument>(
+      [&] { TimedPlant(Plant(lifter, State()), {}, kMillisecond); });
+  EXPECT_EQ(reason.find("the plant's step is 0.001 s; it must be <= "), 0U) << reason;
+  EXPECT_NO_THROW(TimedPlant(Plant(lifter, State(), {}, false), {}, kMillisecond));
 }
 
 TEST(TimedPlant, EventsActExactlyAtTheirTime) {

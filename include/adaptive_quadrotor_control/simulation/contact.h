@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "adaptive_quadrotor_control/model/vehicle.h"
@@ -32,6 +33,11 @@ class Contact {
 
   void setPayload(const Payload* payload);
 
+  /// The longest integration step [s] with which RK4 keeps the vehicle standing on its feet: the
+  /// lighter a vehicle turns, the faster it rocks on them. Infinite where there is nothing to
+  /// touch.
+  double longestStep() const noexcept { return longest_step_; }
+
   /// False when nothing can touch while the origin of B is within `margin` [m] of `position` (W).
   bool near(const Eigen::Vector3d& position, double margin) const noexcept;
 
@@ -57,6 +63,8 @@ class Contact {
   static constexpr int kFeet = 4;
   static constexpr int kCorners = 4;
 
+  double longestStableStep(const Vehicle& vehicle) const;
+
   // Calls visit(index, point in B, penetration, is a wall) for every point that is inside
   // something.
   template <class Visit>
@@ -71,6 +79,7 @@ class Contact {
   double reach_ = 0.0;  // all points lie this close to the origin of B [m]
   double stiffness_;    // a point [N/m]
   double damping_;      // a point, along the normal and across it [N s/m]
+  double longest_step_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace aqc

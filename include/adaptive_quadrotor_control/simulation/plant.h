@@ -38,6 +38,8 @@ class Plant {
   Eigen::Vector3d specificForce() const noexcept;
   /// Whether the ground z = 0 is there.
   bool hasGround() const noexcept { return contact_.hasGround(); }
+  /// The longest step() [s] with which contact stays stable, of the vehicle as it was built.
+  double longestStep() const noexcept { return contact_.longestStep(); }
   /// Whether anything touches the ground or a wall.
   bool touching() const noexcept { return touching_; }
   /// The first crash, or Crash::kNone.

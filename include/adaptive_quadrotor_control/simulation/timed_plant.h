@@ -44,7 +44,8 @@ struct PlantEvent {
 /// both run this class.
 class TimedPlant {
  public:
-  /// `step` > 0 is the integration step; the clock starts at `start`.
+  /// `step` is the integration step, > 0 and at most the plant's longestStep(), else throws
+  /// std::invalid_argument; the clock starts at `start`.
   TimedPlant(Plant plant, std::vector<Cargo> cargo, Nanoseconds step, Nanoseconds start = 0);
 
   /// Plans an event; one whose time has passed acts at the next step. Throws std::logic_error when
