@@ -45,7 +45,7 @@ void Plant::setState(const State& state) noexcept {
 }
 
 Eigen::Vector3d Plant::specificForce() const noexcept {
-  const Plain3 up = {Pair{0.0, 0.0}, kGravity};
+  const Plain3 up = {Pair{0.0, 0.0}, both(kGravity)};
   const Plain3 felt = PlainRotation(felt_.attitude).toBody(felt_.acceleration + up);
   const Plain3& rate = felt_.body_rate;
   const Plain3& centre = felt_.centre;

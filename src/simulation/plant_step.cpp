@@ -10,7 +10,8 @@ namespace {
 // Normalises a quaternion whose norm an integration step has moved a little: one step of Newton's
 // method, which leaves 3/8 of the square of the norm's relative error, without root and division.
 PlainQuaternion nearlyUnit(const PlainQuaternion& q) {
-  return (1.5 - 0.5 * (dot(q.xy, q.xy) + dot(q.zw, q.zw))) * q;
+  const Pair scale = 1.5 - 0.5 * (dot(q.xy, q.xy) + dot(q.zw, q.zw));
+  return {scale * q.xy, scale * q.zw};
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ inline Plant::Motion Plant::Motion::operator+(const Motion& other) const {
 void Plant::setDisturbance(const ForceMoment& disturbance) noexcept {
   disturbance_ = disturbance;
   steady_acceleration_ = inverse_mass_ * Plain3::from(disturbance.force);
-  steady_acceleration_.z -= kGravity;
+  steady_acceleration_.zz -= kGravity;
   loads_ = rotorLoads(speeds_);
 }
 
@@ -59,17 +60,18 @@ void Plant::setDisturbance(const ForceMoment& disturbance) noexcept {
   const double height = -centre_.z();  // of the rotors' plane above the centre of mass
   // Velocity in the rotors' plane, above or below the centre of mass, without the spin's share.
   const Pair hub_air = R.acrossBody(motion.velocity - wind_, -height * turned(rate.xy));
-  const Pair flow = rotors.sums[1] * hub_air + rate.z * rotors.arm;  // sum |omega_i| v_i
-  const double turning = dot(rotors.arm, hub_air) + rate.z * rotors.about_z[1];
+  const Pair flow = rotors.sums[1] * hub_air + rate.zz * rotors.arm;  // sum |omega_i| v_i
+  const Pair turning = dot(rotors.arm, hub_air) + rate.zz * second(rotors.about_z);
   const double drag = vehicle_.drag_coefficient;
 
   Plain3 acceleration =
       R.toWorld(-drag * inverse_mass_ * flow,
                 lift_per_square_ * rotors.sums[0] * R.axisZ() + steady_acceleration_);
-  Plain3 moment = Plain3{rotors.tilting, rotors.about_z[0]} - cross(rate, plain_inertia_ * rate);
+  Plain3 moment =
+      Plain3{rotors.tilting, first(rotors.about_z)} - cross(rate, plain_inertia_ * rate);
   moment.xy -= vehicle_.rolling_moment_coefficient * flow;
   moment.xy -= drag * height * turned(flow);
-  moment.z -= drag * turning;
+  moment.zz -= drag * turning;
   if (near_contact_) {
     const ForceMoment contact = contactForce(motion);
     acceleration = acceleration + inverse_mass_ * Plain3::from(contact.force);
@@ -111,7 +113,7 @@ void Plant::step(const RotorArray& command, double dt) noexcept {
   loads_ = rotorLoads(speeds_);
 
   const Plain3& v = motion_.velocity;
-  const double speed_bound = std::abs(v.xy[0]) + std::abs(v.xy[1]) + std::abs(v.z);
+  const double speed_bound = std::abs(v.xy[0]) + std::abs(v.xy[1]) + std::abs(v.zz[0]);
   near_contact_ =
       contact_.near(motion_.position.eigen(), centre_distance_ + 0.01 + 2.0 * dt * speed_bound);
 

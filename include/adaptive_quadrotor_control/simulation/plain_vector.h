@@ -14,35 +14,51 @@ namespace aqc {
 /// registers, two instructions where single numbers would need three.
 using Pair = double __attribute__((vector_size(16)));
 
+inline Pair both(double value) {
+  return Pair{value, value};
+}
+inline Pair first(Pair v) {
+  return Pair{v[0], v[0]};
+}
+inline Pair second(Pair v) {
+  return Pair{v[1], v[1]};
+}
+inline Pair swapped(Pair v) {
+  return Pair{v[1], v[0]};
+}
 /// Turned by 90 degrees about z: e_z x v.
 inline Pair turned(Pair v) {
   return Pair{-v[1], v[0]};
 }
-inline double dot(Pair a, Pair b) {
+/// The scalar product, in both places.
+inline Pair dot(Pair a, Pair b) {
   const Pair products = a * b;
-  return products[0] + products[1];
+  return products + swapped(products);
 }
 
 /// A vector that stays in registers.
 struct Plain3 {
   Pair xy;
-  double z;
+  Pair zz;  // z twice, ready to be multiplied with pairs
 
-  static Plain3 from(const Eigen::Vector3d& v) { return {Pair{v[0], v[1]}, v[2]}; }
-  Eigen::Vector3d eigen() const { return {xy[0], xy[1], z}; }
+  static Plain3 from(const Eigen::Vector3d& v) { return {Pair{v[0], v[1]}, both(v[2])}; }
+  Eigen::Vector3d eigen() const { return {xy[0], xy[1], zz[0]}; }
 };
 
 inline Plain3 operator+(const Plain3& a, const Plain3& b) {
-  return {a.xy + b.xy, a.z + b.z};
+  return {a.xy + b.xy, a.zz + b.zz};
 }
 inline Plain3 operator-(const Plain3& a, const Plain3& b) {
-  return {a.xy - b.xy, a.z - b.z};
+  return {a.xy - b.xy, a.zz - b.zz};
+}
+inline Plain3 operator*(Pair factor, const Plain3& v) {
+  return {factor * v.xy, factor * v.zz};
 }
 inline Plain3 operator*(double factor, const Plain3& v) {
-  return {factor * v.xy, factor * v.z};
+  return both(factor) * v;
 }
 inline Plain3 cross(const Plain3& a, const Plain3& b) {
-  return {turned(a.z * b.xy - b.z * a.xy), dot(turned(a.xy), b.xy)};
+  return {turned(a.zz * b.xy - b.zz * a.xy), dot(turned(a.xy), b.xy)};
 }
 
 /// A matrix, by columns.
@@ -55,7 +71,7 @@ struct Plain33 {
 };
 
 inline Plain3 operator*(const Plain33& A, const Plain3& v) {
-  return v.xy[0] * A.x + v.xy[1] * A.y + v.z * A.z;
+  return first(v.xy) * A.x + second(v.xy) * A.y + v.zz * A.z;
 }
 
 /// A quaternion, of unit norm where it stands for an attitude.
@@ -76,47 +92,50 @@ inline PlainQuaternion operator*(double factor, const PlainQuaternion& q) {
 }
 /// The product of q and the quaternion (v, 0).
 inline PlainQuaternion operator*(const PlainQuaternion& q, const Plain3& v) {
-  const Plain3 vector = {q.xy, q.zw[0]};
-  const Plain3 product = q.zw[1] * v + cross(vector, v);
-  return {product.xy, Pair{product.z, -(dot(q.xy, v.xy) + vector.z * v.z)}};
+  const Plain3 vector = {q.xy, first(q.zw)};
+  const Plain3 product = second(q.zw) * v + cross(vector, v);
+  const Pair scalar = dot(q.xy, v.xy) + vector.zz * v.zz;
+  return {product.xy, Pair{product.zz[0], -scalar[0]}};
 }
 
 /// The rotation matrix of a unit quaternion.
 struct PlainRotation {
-  Pair x, y, z;     // upper two rows: the horizontal parts of the axes of B, in W
-  Pair bottom;      // lowest row: the vertical parts of the first two axes ...
-  double bottom_z;  // ... and of the third
+  Pair x, y, z;   // upper two rows: the horizontal parts of the axes of B, in W
+  Pair bottom;    // lowest row: the vertical parts of the first two axes ...
+  Pair bottom_z;  // ... and of the third, twice
 
   explicit PlainRotation(const PlainQuaternion& q) {
     const Pair twice = 2.0 * q.xy;
-    const double twice_z = 2.0 * q.zw[0];
-    const Pair squares = q.xy * twice;                          // 2 x x, 2 y y
-    const Pair diagonal = 1.0 - (squares + q.zw[0] * twice_z);  // of y, of x
-    const double xy = q.xy[0] * twice[1];
-    const double zw = twice_z * q.zw[1];
-    const Pair across = twice_z * q.xy;         // 2 x z, 2 y z
-    const Pair tilt = turned(q.zw[1] * twice);  // -2 y w, 2 x w
-    x = Pair{diagonal[1], xy + zw};
-    y = Pair{xy - zw, diagonal[0]};
+    const Pair zz = first(q.zw);
+    const Pair ww = second(q.zw);
+    const Pair twice_z = zz + zz;
+    const Pair squares = q.xy * twice;                     // 2 x x, 2 y y
+    const Pair diagonal = 1.0 - (squares + zz * twice_z);  // of y, of x
+    const Pair xy = q.xy * swapped(twice);
+    const Pair zw = twice_z * ww;
+    const Pair across = twice_z * q.xy;    // 2 x z, 2 y z
+    const Pair tilt = turned(ww * twice);  // -2 y w, 2 x w
+    x = Pair{diagonal[1], (xy + zw)[0]};
+    y = Pair{(xy - zw)[0], diagonal[0]};
     z = across - tilt;
     bottom = across + tilt;
-    bottom_z = 1.0 - (squares[0] + squares[1]);
+    bottom_z = 1.0 - (squares + swapped(squares));
   }
 
   Plain3 axisZ() const { return {z, bottom_z}; }
   /// (xy, 0) in W, plus an offset that is known before xy.
   Plain3 toWorld(Pair xy, const Plain3& offset) const {
-    return {offset.xy + xy[0] * x + xy[1] * y, offset.z + dot(bottom, xy)};
+    return {offset.xy + first(xy) * x + second(xy) * y, offset.zz + dot(bottom, xy)};
   }
-  Plain3 toWorld(const Plain3& v) const { return toWorld(v.xy, v.z * axisZ()); }
+  Plain3 toWorld(const Plain3& v) const { return toWorld(v.xy, v.zz * axisZ()); }
   /// x and y in B of a vector of W, plus an offset.
   Pair acrossBody(const Plain3& v, Pair offset) const {
     const Pair along_x = x * v.xy;
     const Pair along_y = y * v.xy;
-    return Pair{along_x[0], along_y[0]} + Pair{along_x[1], along_y[1]} + (v.z * bottom + offset);
+    return Pair{along_x[0], along_y[0]} + Pair{along_x[1], along_y[1]} + (v.zz * bottom + offset);
   }
   Plain3 toBody(const Plain3& v) const {
-    return {acrossBody(v, Pair{0.0, 0.0}), dot(z, v.xy) + bottom_z * v.z};
+    return {acrossBody(v, Pair{0.0, 0.0}), dot(z, v.xy) + bottom_z * v.zz};
   }
 };
 

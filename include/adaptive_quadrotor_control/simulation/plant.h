@@ -131,7 +131,8 @@ class Plant {
   std::array<Hub, kMaxRotors> hubs_;
 
   Motion motion_;
-  Felt felt_ = {{}, {}, {Pair{0.0, 0.0}, -kGravity}, {}, {}};  // at the start of the last step
+  // At the start of the last step; before the first one it falls freely.
+  Felt felt_ = {{}, {}, {Pair{0.0, 0.0}, both(-kGravity)}, {}, {}};
   RotorArray speeds_;
   RotorLoads loads_;  // of speeds_
   Plain3 wind_ = {};
