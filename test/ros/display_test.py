@@ -44,6 +44,8 @@ class Display(unittest.TestCase):
         cls.markers = {}
         for topic in ('vehicle', 'paths'):
             rospy.Subscriber('/uav/display/' + topic, MarkerArray, cls.take)
+        cls.goals = []
+        rospy.Subscriber('/uav/goal/update_full', InteractiveMarkerInit, cls.take_goals)
         cls.transforms = {}
         rospy.Subscriber('/tf', TFMessage, lambda message: cls.transforms.update(
             {(t.header.frame_id, t.child_frame_id): t.transform for t in message.transforms}))
@@ -69,13 +71,19 @@ class Display(unittest.TestCase):
                 cls.markers[marker.ns, marker.id] = marker
             cls.uav.changed.notify_all()
 
+    @classmethod
+    def take_goals(cls, message):
+        with cls.uav.changed:
+            cls.goals = message.markers  # none until the first odometry
+            cls.uav.changed.notify_all()
+
     def shown(self, ns):
         return [m for (name, _), m in self.markers.items() if name == ns and m.action == m.ADD]
 
     def click(self, title):
         """An entry of the goal's menu."""
-        init = rospy.wait_for_message('/uav/goal/update_full', InteractiveMarkerInit, 20)
-        entry = next(e for e in init.markers[0].menu_entries if e.title == title)
+        self.uav.wait('the goal', lambda: self.goals)
+        entry = next(e for e in self.goals[0].menu_entries if e.title == title)
         self.send(event_type=InteractiveMarkerFeedback.MENU_SELECT, menu_entry_id=entry.id)
 
     def send(self, **fields):
@@ -85,7 +93,6 @@ class Display(unittest.TestCase):
         self.feedback.publish(message)
 
     def test_1_take_off_from_the_menu(self):
-        rospy.wait_for_message('/uav/goal/update_full', InteractiveMarkerInit, 20)
         self.click('Take off')
         self.uav.wait('the take-off', lambda: self.uav.state.flying and
                       self.uav.state.desired_position.z == 1.0)
