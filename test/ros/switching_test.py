@@ -19,7 +19,8 @@ class Relay:
     def __init__(self):
         self.silent = self.spoilt = False
         self.publisher = rospy.Publisher('/uav/imu', Imu, queue_size=100, tcp_nodelay=True)
-        rospy.Subscriber('/uav/imu_raw', Imu, self.relay, tcp_nodelay=True)
+        # One at a time: while it is silent the simulation races, and old samples would pile up.
+        rospy.Subscriber('/uav/imu_raw', Imu, self.relay, queue_size=1, tcp_nodelay=True)
 
     def relay(self, sample):
         if self.spoilt:
