@@ -90,9 +90,7 @@ void Asmc::adopt(const Controller& old) noexcept {
     attitude_.adopt(same->attitude_);
     mass_.adopt(same->mass_.value());
   } else {
-    const Telemetry& before = old.telemetry();
-    const double mass =
-        std::isfinite(before.mass_estimate) ? before.mass_estimate : before.force.z() / kGravity;
+    const double mass = old.telemetry().liftedMass();
     if (mass > mass_.value()) mass_.adopt(mass);
   }
   report(telemetry_);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {
 namespace {
@@ -10,13 +11,6 @@ namespace {
 Health judged(double value, const Threshold& threshold) {
   if (!(value <= threshold.error)) return Health::kError;  // not a number, too
   return value > threshold.warn ? Health::kWarn : Health::kOk;
-}
-
-template <class... Values>
-std::string print(const char* pattern, Values... values) {
-  char text[160];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
 }
 
 double share(std::uint32_t part, std::uint32_t whole) {
@@ -48,8 +42,7 @@ void FlightMonitor::countStep(Nanoseconds now, bool flying, const Telemetry& tel
   ++flying_steps_;
   if (saturated) ++saturated_steps_;
   distance_ = telemetry.position_error.norm();
-  mass_ = std::isfinite(telemetry.mass_estimate) ? telemetry.mass_estimate
-                                                 : telemetry.force.z() / kGravity;
+  mass_ = telemetry.liftedMass();
 }
 
 std::vector<std::string> FlightMonitor::names() {
@@ -83,16 +76,16 @@ Finding FlightMonitor::judgeLoop() const {
   const Health by_jitter = judged(late, limits_.jitter);
   finding.health = std::max(by_rate, by_jitter);
   if (by_rate != Health::kOk && by_rate >= by_jitter) {
-    finding.reason = print("runs at %.1f Hz instead of %.1f Hz", rate, nominal);
+    finding.reason = formatted("runs at %.1f Hz instead of %.1f Hz", rate, nominal);
   } else if (by_jitter != Health::kOk) {
     finding.reason =
-        print("one step came %.1f ms late", toSeconds(longest_interval_ - period_) * 1e3);
+        formatted("one step came %.1f ms late", toSeconds(longest_interval_ - period_) * 1e3);
   } else {
-    finding.reason = print("runs at %.1f Hz", rate);
+    finding.reason = formatted("runs at %.1f Hz", rate);
   }
-  finding.values = {{"rate [Hz]", print("%.2f", rate)},
-                    {"nominal rate [Hz]", print("%.2f", nominal)},
-                    {"longest step [ms]", print("%.2f", toSeconds(longest_interval_) * 1e3)}};
+  finding.values = {{"rate [Hz]", formatted("%.2f", rate)},
+                    {"nominal rate [Hz]", formatted("%.2f", nominal)},
+                    {"longest step [ms]", formatted("%.2f", toSeconds(longest_interval_) * 1e3)}};
   return finding;
 }
 
@@ -107,15 +100,16 @@ Finding FlightMonitor::judgeOdometry(Nanoseconds now, double silence) const {
   const Health by_silence = judged(silence, limits_.silence);
   finding.health = std::max(judged(age, limits_.odometry_age), by_silence);
   if (by_silence != Health::kOk) {
-    finding.reason = print("none for %.1f s: the controller flies blind", silence);
+    finding.reason = formatted("none for %.1f s: the controller flies blind", silence);
   } else if (finding.health != Health::kOk) {
-    finding.reason = print("up to %.0f ms old: check clocks, network and the estimator", age * 1e3);
+    finding.reason =
+        formatted("up to %.0f ms old: check clocks, network and the estimator", age * 1e3);
   } else {
-    finding.reason = print("fresh, at most %.1f ms old", age * 1e3);
+    finding.reason = formatted("fresh, at most %.1f ms old", age * 1e3);
   }
-  finding.values = {{"oldest [ms]", print("%.2f", age * 1e3)},
-                    {"silence [s]", print("%.2f", silence)},
-                    {"messages", print("%u", odometry_)}};
+  finding.values = {{"oldest [ms]", formatted("%.2f", age * 1e3)},
+                    {"silence [s]", formatted("%.2f", silence)},
+                    {"messages", formatted("%u", odometry_)}};
   return finding;
 }
 
@@ -126,11 +120,11 @@ Finding FlightMonitor::judgeSetPoint(Nanoseconds now) const {
     return finding;
   }
   finding.health = judged(distance_, limits_.distance);
-  finding.reason = print(
+  finding.reason = formatted(
       finding.health == Health::kOk ? "%.2f m away" : "%.2f m away: the vehicle does not follow",
       distance_);
-  finding.values = {{"age [s]", print("%.2f", toSeconds(now - set_point_time_))},
-                    {"distance [m]", print("%.3f", distance_)}};
+  finding.values = {{"age [s]", formatted("%.2f", toSeconds(now - set_point_time_))},
+                    {"distance [m]", formatted("%.3f", distance_)}};
   return finding;
 }
 
@@ -141,9 +135,9 @@ Finding FlightMonitor::judgeRotors() const {
   finding.reason =
       finding.health == Health::kOk
           ? (flying_ ? "within their limits" : "stand still")
-          : print("at a limit %.0f %% of the time: too heavy a payload or too high gains",
-                  100.0 * saturated);
-  finding.values = {{"saturated [%]", print("%.1f", 100.0 * saturated)}};
+          : formatted("at a limit %.0f %% of the time: too heavy a payload or too high gains",
+                      100.0 * saturated);
+  finding.values = {{"saturated [%]", formatted("%.1f", 100.0 * saturated)}};
   return finding;
 }
 
@@ -159,13 +153,13 @@ Finding FlightMonitor::judgeMessages() const {
   } else if (new_starts_ > 0) {
     finding.reason = "the clock of the odometry went back: began anew, without a set point";
   } else {
-    finding.reason =
-        print("refused %u of odometry, %u of set points: not finite, not a pose or out of order",
-              dropped_odometry_, dropped_set_points_);
+    finding.reason = formatted(
+        "refused %u of odometry, %u of set points: not finite, not a pose or out of order",
+        dropped_odometry_, dropped_set_points_);
   }
-  finding.values = {{"odometry refused", print("%u", dropped_odometry_)},
-                    {"set points refused", print("%u", dropped_set_points_)},
-                    {"new starts", print("%u", new_starts_)}};
+  finding.values = {{"odometry refused", formatted("%u", dropped_odometry_)},
+                    {"set points refused", formatted("%u", dropped_set_points_)},
+                    {"new starts", formatted("%u", new_starts_)}};
   return finding;
 }
 
@@ -178,16 +172,17 @@ Finding FlightMonitor::judgePayload() const {
   const double used = mass_ / lift_limit_;
   finding.health = judged(used, limits_.lift);
   if (finding.health == Health::kOk) {
-    finding.reason = print("vehicle and payload take %.2f kg of %.2f kg lift", mass_, lift_limit_);
+    finding.reason =
+        formatted("vehicle and payload take %.2f kg of %.2f kg lift", mass_, lift_limit_);
   } else if (finding.health == Health::kWarn) {
     finding.reason =
-        print("%.2f kg of %.2f kg lift are used: little is left to steer", mass_, lift_limit_);
+        formatted("%.2f kg of %.2f kg lift are used: little is left to steer", mass_, lift_limit_);
   } else {
     finding.reason =
-        print("%.2f kg against %.2f kg lift: too heavy, or held down", mass_, lift_limit_);
+        formatted("%.2f kg against %.2f kg lift: too heavy, or held down", mass_, lift_limit_);
   }
-  finding.values = {{"mass [kg]", print("%.3f", mass_)},
-                    {"lift limit [kg]", print("%.3f", lift_limit_)}};
+  finding.values = {{"mass [kg]", formatted("%.3f", mass_)},
+                    {"lift limit [kg]", formatted("%.3f", lift_limit_)}};
   return finding;
 }
 

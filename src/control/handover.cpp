@@ -1,16 +1,14 @@
 #include "adaptive_quadrotor_control/control/handover.h"
 
-#include <cstdio>
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {
 namespace {
 
 std::string tooLarge(const char* what, double value, double limit, const char* unit) {
   if (value <= limit) return "";
-  char text[128];
-  std::snprintf(text, sizeof text, "the %s error is %.2f %s; at most %.2f %s is allowed", what,
-                value, unit, limit, unit);
-  return text;
+  return formatted("the %s error is %.2f %s; at most %.2f %s is allowed", what, value, unit, limit,
+                   unit);
 }
 
 }  // namespace

@@ -47,6 +47,15 @@ Eigen::Vector2d Rotor::position() const {
   return arm_length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
+std::array<Eigen::Vector2d, 4> Vehicle::feet() const {
+  std::array<Eigen::Vector2d, 4> feet;
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    const double angle = (0.25 + 0.5 * static_cast<double>(i)) * M_PI;
+    feet[i] << gear_radius * std::cos(angle), gear_radius * std::sin(angle);
+  }
+  return feet;
+}
+
 double Vehicle::maxThrust() const {
   return static_cast<double>(rotors.size()) * force_constant * max_rotor_speed * max_rotor_speed;
 }

@@ -95,11 +95,9 @@ void addRotor(Visuals& visuals, const Rotor& rotor, double radius) {
 }
 
 void addGear(Visuals& visuals, const Vehicle& vehicle) {
-  for (int i = 0; i < 4; ++i) {
-    const double angle = M_PI / 4.0 + i * M_PI / 2.0;
-    visuals.cylinder({vehicle.gear_radius * std::cos(angle), vehicle.gear_radius * std::sin(angle),
-                      -0.5 * vehicle.gear_height},
-                     0.5 * kThickness, vehicle.gear_height, kMetal);
+  for (const Eigen::Vector2d& foot : vehicle.feet()) {
+    visuals.cylinder({foot.x(), foot.y(), -0.5 * vehicle.gear_height}, 0.5 * kThickness,
+                     vehicle.gear_height, kMetal);
   }
   // Two rails that carry the legs.
   const double side = std::sqrt(2.0) * vehicle.gear_radius;

@@ -86,8 +86,8 @@ State toState(const nav_msgs::Odometry& odometry) {
 nav_msgs::Odometry toOdometry(const State& state, Nanoseconds time) {
   nav_msgs::Odometry odometry;
   odometry.header.stamp = toRosTime(time);
-  odometry.header.frame_id = "world";
-  odometry.child_frame_id = "base_link";
+  odometry.header.frame_id = kWorldFrame;
+  odometry.child_frame_id = kBodyFrame;
   odometry.pose.pose.position = toPoint(state.position);
   odometry.pose.pose.orientation = toQuaternion(state.attitude);
   odometry.twist.twist.linear = toVector3(state.attitude.conjugate() * state.velocity);
@@ -112,8 +112,8 @@ trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSet
                                                       Nanoseconds begin) {
   trajectory_msgs::MultiDOFJointTrajectory trajectory;
   trajectory.header.stamp = toRosTime(begin);
-  trajectory.header.frame_id = "world";
-  trajectory.joint_names = {"base_link"};
+  trajectory.header.frame_id = kWorldFrame;
+  trajectory.joint_names = {kBodyFrame};
   for (const TimedSetPoint& timed : set_points) {
     const SetPoint& set_point = timed.set_point;
     trajectory_msgs::MultiDOFJointTrajectoryPoint point;
@@ -143,7 +143,7 @@ void fill(const FlightSample& sample, msgs::ControllerState& message) {
   const Telemetry& telemetry = sample.telemetry;
   const Allocation& allocation = sample.allocation;
   message.header.stamp = toRosTime(sample.time);
-  message.header.frame_id = "world";
+  message.header.frame_id = kWorldFrame;
   message.flying = sample.flying;
   message.position = toPoint(sample.state.position);
   message.attitude = toQuaternion(sample.state.attitude);
@@ -204,6 +204,16 @@ FlightSample toSample(const msgs::ControllerState& message) {
   allocation.speeds = Eigen::Map<const Eigen::VectorXd>(
       message.rotor_speeds.data(), static_cast<Eigen::Index>(message.rotor_speeds.size()));
   return sample;
+}
+
+const msgs::PlantStatus* addTruth(const PlantHistory& history, FlightSample& sample) {
+  const auto later = history.upper_bound(sample.time);
+  if (later == history.begin()) return nullptr;
+  const msgs::PlantStatus& truth = *std::prev(later)->second;
+  sample.payload_mass = truth.payload_mass;
+  sample.touching = truth.touching;
+  sample.disturbance = {toEigen(truth.disturbance_force), toEigen(truth.disturbance_moment)};
+  return &truth;
 }
 
 }  // namespace aqc

@@ -90,9 +90,5 @@ void DisplayNode::publishPaths() {
 }  // namespace aqc
 
 int main(int argc, char** argv) {
-  return aqc::runNode(argc, argv, "display", [] {
-    aqc::DisplayNode node;
-    ros::spin();
-    return 0;
-  });
+  return aqc::spinNode<aqc::DisplayNode>(argc, argv, "display");
 }

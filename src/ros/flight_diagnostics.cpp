@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "adaptive_quadrotor_control/ros/conversions.h"
+
 namespace aqc {
 namespace {
 
@@ -37,7 +39,7 @@ FlightDiagnostics::FlightDiagnostics(const ros::NodeHandle& node,
 
 void FlightDiagnostics::onTimer(const ros::WallTimerEvent&) {
   const double silence = (ros::SteadyTime::now() - last_odometry_).toSec();
-  findings_ = monitor_.judge(static_cast<Nanoseconds>(ros::Time::now().toNSec()), silence);
+  findings_ = monitor_.judge(toNanoseconds(ros::Time::now()), silence);
   updater_.force_update();
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <utility>
 
 #include "adaptive_quadrotor_control/model/rotations.h"
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 #include "marker_parts.h"
 
 namespace aqc {
@@ -149,20 +149,15 @@ std::string flightMode(const msgs::ControllerState& state, const msgs::PlantStat
 
 Markers textMarkers(const msgs::ControllerState& state, const msgs::PlantStatus* status,
                     const Vehicle& vehicle) {
-  const auto print = [](const char* pattern, auto... values) {
-    char line[96];
-    std::snprintf(line, sizeof line, pattern, values...);
-    return std::string(line);
-  };
   const std::string mode = flightMode(state, status);
   std::string text = state.controller + "  |  " + mode;
   if (std::isfinite(state.mass_estimate)) {
-    text += print("\nmass estimate %.2f kg", state.mass_estimate);
-    if (status != nullptr) text += print(" (is %.2f)", vehicle.mass + status->payload_mass);
+    text += formatted("\nmass estimate %.2f kg", state.mass_estimate);
+    if (status != nullptr) text += formatted(" (is %.2f)", vehicle.mass + status->payload_mass);
   } else if (status != nullptr) {
-    text += print("\nmass %.2f kg", vehicle.mass + status->payload_mass);
+    text += formatted("\nmass %.2f kg", vehicle.mass + status->payload_mass);
   }
-  if (state.flying) text += print("\naltitude error %+.1f cm", 100.0 * state.position_error.z);
+  if (state.flying) text += formatted("\naltitude error %+.1f cm", 100.0 * state.position_error.z);
 
   const bool calm = !state.saturated && (status == nullptr || !status->crashed);
   Marker m = marker(kWorldFrame, "text", 0, Marker::TEXT_VIEW_FACING,

@@ -19,13 +19,13 @@
 namespace aqc {
 namespace {
 
-constexpr double kRefresh = 0.1;                            // of the handle's place [s], wall
-constexpr Nanoseconds kSetPointPeriod = 20'000'000;         // of take-off and landing
-constexpr double kGustLasts = 2.0;                          // [s]
-constexpr double kBoxEdge = 0.12;                           // of a payload from the menu [m]
-constexpr double kBoxBelow = 0.18;                          // its centre, under the vehicle [m]
-constexpr double kSlack = 0.03;                             // aimed below the ground to settle [m]
-constexpr const char* kFrames[] = {"", "world", "/world"};  // that need no transform
+constexpr double kRefresh = 0.1;                     // of the handle's place [s], wall
+constexpr Nanoseconds kSetPointPeriod = 20'000'000;  // of take-off and landing
+constexpr double kGustLasts = 2.0;                   // [s]
+constexpr double kBoxEdge = 0.12;                    // of a payload from the menu [m]
+constexpr double kBoxBelow = 0.18;                   // its centre, under the vehicle [m]
+constexpr double kSlack = 0.03;                      // aimed below the ground to settle [m]
+constexpr const char* kFrames[] = {"", kWorldFrame, "/world"};  // that need no transform
 
 }  // namespace
 
@@ -113,7 +113,7 @@ void GoalNode::onNavGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
 void GoalNode::command(const geometry_msgs::Pose& pose) {
   geometry_msgs::PoseStamped message;
   message.header.stamp = ros::Time::now();
-  message.header.frame_id = "world";
+  message.header.frame_id = kWorldFrame;
   message.pose = pose;
   pose_publisher_.publish(message);
 }
@@ -154,9 +154,10 @@ void GoalNode::gust() {
 }
 
 void GoalNode::climbTo(double height) {
+  const SetPoint here = present();
   Waypoint from;
-  from.position = present().position;
-  from.yaw = present().yaw;
+  from.position = here.position;
+  from.yaw = here.yaw;
   Waypoint to = from;
   to.position.z() = height;
   const PolynomialTrajectory path = minimumSnapWithin({from, to}, limits_);
@@ -196,9 +197,5 @@ void GoalNode::reset() {
 }  // namespace aqc
 
 int main(int argc, char** argv) {
-  return aqc::runNode(argc, argv, "goal", [] {
-    aqc::GoalNode node;
-    ros::spin();
-    return 0;
-  });
+  return aqc::spinNode<aqc::GoalNode>(argc, argv, "goal");
 }

@@ -11,9 +11,6 @@
 
 namespace aqc {
 
-constexpr const char* kWorldFrame = "world";
-constexpr const char* kBodyFrame = "base_link";
-
 inline std_msgs::ColorRGBA colour(double r, double g, double b, double a = 1.0) {
   std_msgs::ColorRGBA rgba;
   rgba.r = static_cast<float>(r);

@@ -19,8 +19,7 @@
 namespace aqc {
 namespace {
 
-constexpr double kPatience = 30.0;              // for another node to answer [s], wall
-constexpr std::uint32_t kMostSwitches = 10000;  // in a schedule
+constexpr double kPatience = 30.0;  // for another node to answer [s], wall
 
 }  // namespace
 
@@ -34,7 +33,8 @@ MissionNode::MissionNode() {
   const auto fast = ros::TransportHints().tcpNoDelay();
   trajectory_publisher_ =
       node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("command/trajectory", 1, true);
-  switch_publisher_ = node_.advertise<msgs::ActiveSubsystem>("active_subsystem", kMostSwitches);
+  switch_publisher_ =
+      node_.advertise<msgs::ActiveSubsystem>("active_subsystem", SwitchSchedule::kMost);
   // Unlimited queues: a lock-stepped flight outruns this node, and no sample may be missing.
   state_subscriber_ = node_.subscribe("controller/state", 0, &MissionNode::onState, this, fast);
   status_subscriber_ = node_.subscribe("plant/status", 0, &MissionNode::onStatus, this, fast);
@@ -199,14 +199,7 @@ FlightLog MissionNode::takeLog(double wall_seconds) {
   log.controller = state_->controller;
   log.adaptive_names = state_->adaptive_names;
   log.samples = std::move(samples_);
-  for (FlightSample& sample : log.samples) {
-    const auto truth = truth_.upper_bound(sample.time);
-    if (truth == truth_.begin()) continue;
-    sample.payload_mass = std::prev(truth)->second->payload_mass;
-    sample.touching = std::prev(truth)->second->touching;
-    sample.disturbance = {toEigen(std::prev(truth)->second->disturbance_force),
-                          toEigen(std::prev(truth)->second->disturbance_moment)};
-  }
+  for (FlightSample& sample : log.samples) addTruth(truth_, sample);
   log.refusals = std::move(refusals_);
   if (status_->crashed) {
     log.crash_time = toNanoseconds(status_->crash_time) - begin_;

@@ -22,6 +22,14 @@ constexpr double kRepeatAfter = 0.2;  // [s], wall
 // A real-time run that fell behind further than this gives the time up rather than racing after it.
 constexpr double kLongestBacklog = 0.2;  // [s], wall
 
+// For a service callback to return: it was called in order, and the answer is no.
+template <class Response>
+bool refuse(Response& response, const std::string& reason) {
+  response.success = false;
+  response.message = reason;
+  return true;
+}
+
 }  // namespace
 
 PlantNode::PlantNode()
@@ -121,7 +129,7 @@ void PlantNode::publish() {
 
   sensor_msgs::Imu imu;
   imu.header.stamp = stamp;
-  imu.header.frame_id = "base_link";
+  imu.header.frame_id = kBodyFrame;
   imu.orientation = toQuaternion(state.attitude);
   imu.angular_velocity = toVector3(state.body_rate);
   imu.linear_acceleration = toVector3(plant_->plant().specificForce());
@@ -134,13 +142,13 @@ void PlantNode::publishTransforms(const ros::Time& stamp) {
   const State& state = plant_->plant().state();
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = stamp;
-  transform.header.frame_id = "world";
-  transform.child_frame_id = "base_link";
+  transform.header.frame_id = kWorldFrame;
+  transform.child_frame_id = kBodyFrame;
   transform.transform.translation = toVector3(state.position);
   transform.transform.rotation = toQuaternion(state.attitude);
   transforms_.sendTransform(transform);
   if (const auto& payload = plant_->plant().payload()) {
-    transform.header.frame_id = "base_link";
+    transform.header.frame_id = kBodyFrame;
     transform.child_frame_id = "payload";
     transform.transform.translation = toVector3(payload->offset);
     transform.transform.rotation = toQuaternion(Eigen::Quaterniond::Identity());
@@ -181,11 +189,10 @@ bool PlantNode::plan(const ros::Time& at, PlantAction action, Response& response
   try {
     plant_->schedule({std::max(toNanoseconds(at), plant_->now()), std::move(action)});
     response.success = true;
+    return true;
   } catch (const std::logic_error& error) {
-    response.success = false;
-    response.message = error.what();
+    return refuse(response, error.what());
   }
-  return true;
 }
 
 bool PlantNode::onAttach(msgs::AttachPayload::Request& request,
@@ -204,14 +211,11 @@ bool PlantNode::onAttach(msgs::AttachPayload::Request& request,
     if (!plant_->knows(request.name))
       attach.payload = readPayload(ParameterReader(tree, "payload"));
     const bool now = toNanoseconds(request.at) <= plant_->now();
-    response.message = now ? plant_->obstacle(attach) : "";
-    if (response.message.empty()) return plan(request.at, attach, response);
-    response.success = false;
+    const std::string obstacle = now ? plant_->obstacle(attach) : "";
+    return obstacle.empty() ? plan(request.at, attach, response) : refuse(response, obstacle);
   } catch (const ParameterError& error) {
-    response.success = false;
-    response.message = error.what();
+    return refuse(response, error.what());
   }
-  return true;
 }
 
 bool PlantNode::onDetach(msgs::DetachPayload::Request& request,
@@ -222,9 +226,7 @@ bool PlantNode::onDetach(msgs::DetachPayload::Request& request,
 bool PlantNode::onWind(msgs::SetWind::Request& request, msgs::SetWind::Response& response) {
   const Eigen::Vector3d velocity = toEigen(request.velocity);
   if (velocity.allFinite()) return plan(request.at, SetWind{velocity}, response);
-  response.success = false;
-  response.message = "the wind has a number that is not finite";
-  return true;
+  return refuse(response, "the wind has a number that is not finite");
 }
 
 bool PlantNode::onBody(msgs::SetBody::Request& request, msgs::SetBody::Response& response) {
@@ -233,9 +235,7 @@ bool PlantNode::onBody(msgs::SetBody::Request& request, msgs::SetBody::Response&
   if (positive && std::isfinite(request.mass) && inertia.allFinite()) {
     return plan(request.at, SetBody{request.mass, inertia.asDiagonal()}, response);
   }
-  response.success = false;
-  response.message = "mass and inertia must be finite and > 0";
-  return true;
+  return refuse(response, "mass and inertia must be finite and > 0");
 }
 
 bool PlantNode::onDisturbance(msgs::ApplyDisturbance::Request& request,
@@ -249,10 +249,9 @@ bool PlantNode::onDisturbance(msgs::ApplyDisturbance::Request& request,
   if (finite && disturbance.duration > 0 && disturbance.angular_frequency >= 0.0) {
     return plan(request.at, disturbance, response);
   }
-  response.success = false;
-  response.message =
-      "force, moment and frequency must be finite, the frequency >= 0 and the duration > 0";
-  return true;
+  return refuse(
+      response,
+      "force, moment and frequency must be finite, the frequency >= 0 and the duration > 0");
 }
 
 bool PlantNode::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -278,9 +277,5 @@ bool PlantNode::onResume(std_srvs::Trigger::Request&, std_srvs::Trigger::Respons
 }  // namespace aqc
 
 int main(int argc, char** argv) {
-  return aqc::runNode(argc, argv, "plant", [] {
-    aqc::PlantNode node;
-    ros::spin();
-    return 0;
-  });
+  return aqc::spinNode<aqc::PlantNode>(argc, argv, "plant");
 }

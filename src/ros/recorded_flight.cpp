@@ -6,12 +6,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <map>
 #include <optional>
 #include <stdexcept>
 
-#include "adaptive_quadrotor_control/PlantStatus.h"
 #include "adaptive_quadrotor_control/ros/conversions.h"
 
 namespace aqc {
@@ -79,21 +76,16 @@ class Reader {
 
   void addTruth() {
     for (FlightSample& sample : log_.samples) {
-      const auto later = truth_.upper_bound(sample.time);
-      if (later == truth_.begin()) continue;
-      const msgs::PlantStatus& truth = *std::prev(later)->second;
-      sample.payload_mass = truth.payload_mass;
-      sample.touching = truth.touching;
-      sample.disturbance = {toEigen(truth.disturbance_force), toEigen(truth.disturbance_moment)};
-      if (!truth.crashed || log_.crash_time) continue;
-      log_.crash_time = toNanoseconds(truth.crash_time);
-      log_.crash_reason = truth.crash_reason;
+      const msgs::PlantStatus* truth = aqc::addTruth(truth_, sample);
+      if (truth == nullptr || !truth->crashed || log_.crash_time) continue;
+      log_.crash_time = toNanoseconds(truth->crash_time);
+      log_.crash_reason = truth->crash_reason;
     }
   }
 
   FlightLog log_;
   std::optional<Nanoseconds> begin_;  // none until something flies
-  std::map<Nanoseconds, msgs::PlantStatus::ConstPtr> truth_;
+  PlantHistory truth_;
   std::string parameters_;
 };
 

@@ -3,15 +3,14 @@
 namespace aqc {
 namespace {
 
-constexpr double kWarningPeriod = 1.0;        // [s]
-constexpr std::uint32_t kMostOrders = 10000;  // that may come at once: a whole schedule
+constexpr double kWarningPeriod = 1.0;  // [s]
 
 }  // namespace
 
 SwitchInput::SwitchInput(ros::NodeHandle& node, SubsystemSwitch& subsystems)
     : subsystems_(&subsystems),
-      subscriber_(node.subscribe("active_subsystem", kMostOrders, &SwitchInput::onOrder, this,
-                                 ros::TransportHints().tcpNoDelay())) {
+      subscriber_(node.subscribe("active_subsystem", SwitchSchedule::kMost, &SwitchInput::onOrder,
+                                 this, ros::TransportHints().tcpNoDelay())) {
   ROS_INFO("%d subsystems, %d active; %s", subsystems.count(), subsystems.active(),
            subsystems.text().c_str());
 }

@@ -3,7 +3,6 @@
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "adaptive_quadrotor_control/reference/braking.h"
@@ -14,7 +13,6 @@
 namespace aqc {
 namespace {
 
-constexpr const char* kWorld = "world";
 constexpr double kTransformPatience = 0.2;  // [s]
 
 Eigen::Vector4d withYaw(const Eigen::Vector3d& vector, double yaw) {
@@ -73,10 +71,10 @@ std::vector<Waypoint> WaypointNode::toWaypoints(const nav_msgs::Path& path) cons
   if (path.poses.empty()) throw std::invalid_argument("the path has no poses");
   geometry_msgs::TransformStamped to_world;
   const std::string& frame = path.header.frame_id;
-  const bool transform = !frame.empty() && frame != kWorld;
+  const bool transform = !frame.empty() && frame != kWorldFrame;
   if (transform) {
     try {
-      to_world = transforms_.lookupTransform(kWorld, frame, ros::Time(0),
+      to_world = transforms_.lookupTransform(kWorldFrame, frame, ros::Time(0),
                                              ros::Duration(kTransformPatience));
     } catch (const tf2::TransformException& error) {
       throw std::invalid_argument("the path's frame '" + frame +
@@ -152,11 +150,8 @@ bool WaypointNode::onCancel(std_srvs::Trigger::Request&, std_srvs::Trigger::Resp
     const FlatOutput begin = stop.evaluate(0.0);
     const FlatOutput end = stop.evaluate(stop.duration());
     const double distance = (end.derivative[0] - begin.derivative[0]).head<3>().norm();
-    char text[64];
-    std::snprintf(text, sizeof text, "stops in %.2f s, %.2f m from here", stop.duration(),
-                  distance);
     response.success = true;
-    response.message = text;
+    response.message = formatted("stops in %.2f s, %.2f m from here", stop.duration(), distance);
   } catch (const std::invalid_argument& error) {
     response.success = false;
     response.message = error.what();
@@ -185,9 +180,5 @@ void WaypointNode::onTimer(const ros::TimerEvent&) {
 }  // namespace aqc
 
 int main(int argc, char** argv) {
-  return aqc::runNode(argc, argv, "waypoints", [] {
-    aqc::WaypointNode node;
-    ros::spin();
-    return 0;
-  });
+  return aqc::spinNode<aqc::WaypointNode>(argc, argv, "waypoints");
 }

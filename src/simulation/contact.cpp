@@ -39,12 +39,9 @@ Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
       damping_(2.0 * kDampingRatio * std::sqrt(stiffness_ * vehicle.mass / kFeet)) {
   if (ground_ || !walls_.empty()) longest_step_ = longestStableStep(vehicle);
   std::size_t next = 0;
-  for (int i = 0; i < kFeet; ++i) {
-    const double angle = (0.25 + 0.5 * i) * M_PI;
-    // The feet sink a little at rest; the vehicle then stands at exactly gear_height.
-    points_[next++] = {vehicle.gear_radius * std::cos(angle), vehicle.gear_radius * std::sin(angle),
-                       -vehicle.gear_height - kRestSink};
-  }
+  // The feet sink a little at rest; the vehicle then stands at exactly gear_height.
+  const double bottom = -vehicle.gear_height - kRestSink;
+  for (const Eigen::Vector2d& foot : vehicle.feet()) points_[next++] << foot, bottom;
   for (const Rotor& rotor : vehicle.rotors) points_[next++] << rotor.position(), 0.0;
   setPayload(nullptr);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -58,10 +57,8 @@ std::string TimedPlant::obstacle(const AttachPayload& attach) const {
   const Eigen::Vector3d place = state.position + state.attitude * cargo->payload.offset;
   const double distance = (place - cargo->position).norm();
   if (distance <= kReach) return "";
-  char text[128];
-  std::snprintf(text, sizeof(text), "%.60s is %.2f m away; it can be picked up within %.2f m",
-                attach.name.c_str(), distance, kReach);
-  return text;
+  return formatted("%.60s is %.2f m away; it can be picked up within %.2f m", attach.name.c_str(),
+                   distance, kReach);
 }
 
 void TimedPlant::attach(const AttachPayload& attach) {

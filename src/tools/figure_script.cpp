@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
+
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {
 namespace {
@@ -24,9 +25,7 @@ double height(const Figure& figure) {
 }
 
 std::string print(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.9g", value);
-  return buffer;
+  return formatted("%.9g", value);
 }
 
 void writeHead(std::ostream& out, const Figure& figure) {

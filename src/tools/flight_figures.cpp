@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <variant>
 
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 #include "adaptive_quadrotor_control/tools/flight_files.h"
 #include "figure_script.h"
 #include "gnuplot.h"
@@ -33,18 +33,12 @@ constexpr std::array<const char*, 5> kNames = {"position", "position_error", "at
                                                "adaptation", "rotors"};
 constexpr const char* kPathName = "path";
 
-std::string print(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
-
 std::vector<Figure::Phase> payloadPhases(const Scenario& scenario) {
   std::vector<Figure::Phase> phases;
   for (const PlantEvent& event : scenario.events) {
     const double time = toSeconds(event.time);
     if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
-      const std::string label = print("payload %g kg", attach->payload.mass);
+      const std::string label = formatted("payload %g kg", attach->payload.mass);
       phases.push_back({time, toSeconds(scenario.duration), label});
     } else if (std::holds_alternative<DetachPayload>(event.action)) {
       phases.back().to = time;
@@ -213,7 +207,7 @@ class FigureBuilder {
           {"rotor " + std::to_string(i + 1), lineStyle(paletteColour(i), kKeyWidth)});
     }
     if (vehicle_.max_rotor_speed > 0.0) {
-      figure.key.push_back({print("limit %g rad/s", vehicle_.max_rotor_speed), kLimitStyle});
+      figure.key.push_back({formatted("limit %g rad/s", vehicle_.max_rotor_speed), kLimitStyle});
     }
     for (const PlottedFlight& flight : flights_) figure.panels.push_back(rotorPanel(flight));
     return figure;

@@ -31,21 +31,15 @@ struct Row {
   std::string outcome;
 };
 
-std::string format(const char* pattern, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
-}
-
 // A number in a fixed format, unless it is too large to be one.
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return "-";
-  if (std::abs(value) >= 1000.0) return format("%.1e", value);
-  return format(decimals == 3 ? "%.3f" : "%.2f", value);
+  if (std::abs(value) >= 1000.0) return formatted("%.1e", value);
+  return formatted(decimals == 3 ? "%.3f" : "%.2f", value);
 }
 
 std::string seconds(double time) {
-  return format("%g s", std::round(time * 100.0) / 100.0);
+  return formatted("%g s", std::round(time * 100.0) / 100.0);
 }
 
 std::string pad(const std::string& text, int width, bool left = false) {
@@ -99,7 +93,7 @@ std::string outcome(const FlightLog& log, const FlightMetrics& metrics, TableSty
   }
   constexpr double kAside = 1.0;  // [m], further than any law that controls x and y should end
   if (!(metrics.final_lateral_error > kAside)) return "flew to the end";
-  return paint(format("ended %.1f m aside", metrics.final_lateral_error), kYellow, style);
+  return paint(formatted("ended %.1f m aside", metrics.final_lateral_error), kYellow, style);
 }
 
 Row flownRow(const FlightLog& log, const FlightMetrics& metrics) {
@@ -109,8 +103,8 @@ Row flownRow(const FlightLog& log, const FlightMetrics& metrics) {
   for (std::size_t i = 0; i < kErrors; ++i) row.numbers[i] = fixed(errors[i], decimals(i));
   row.numbers[6] = fixed(metrics.peak_altitude_error, 3);
   row.numbers[7] = fixed(metrics.settled_altitude_error, 3);
-  row.numbers[8] = log.real_time_factor > 0.0 ? format("%.3g x", log.real_time_factor) : "-";
-  if (log.real_time_factor >= 1000.0) row.numbers[8] = format("%.0f x", log.real_time_factor);
+  row.numbers[8] = log.real_time_factor > 0.0 ? formatted("%.3g x", log.real_time_factor) : "-";
+  if (log.real_time_factor >= 1000.0) row.numbers[8] = formatted("%.0f x", log.real_time_factor);
   return row;
 }
 
@@ -125,15 +119,14 @@ std::array<Row, 2> publishedRows(const RmsErrors& flown, const RmsErrors& publis
     rows[0].numbers[i] = fixed(theirs[i], decimals(i));
     const double percent = 100.0 * (ours[i] - theirs[i]) / theirs[i];
     const bool printable = std::isfinite(percent) && std::abs(percent) < 1e4;
-    rows[1].numbers[i] = printable ? format("%+.0f %%", percent) : "-";
+    rows[1].numbers[i] = printable ? formatted("%+.0f %%", percent) : "-";
   }
   return rows;
 }
 
 std::string heading(const std::vector<FlightLog>& logs, const Scenario& scenario,
                     const Vehicle& vehicle, TableStyle style) {
-  char mass[32];
-  std::snprintf(mass, sizeof mass, "%g kg", vehicle.mass);
+  const std::string mass = formatted("%g kg", vehicle.mass);
   std::string text = paint(scenario.title, kBold, style) + "\n";
   text += "Vehicle " + vehicle.name + " (" + mass + " empty). RMS errors from " +
           seconds(toSeconds(scenario.metrics_from)) + " to the end at " +

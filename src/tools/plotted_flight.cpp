@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
+
+#include "adaptive_quadrotor_control/parameters/number_text.h"
 
 namespace aqc {
 namespace {
@@ -18,9 +19,7 @@ const std::map<std::string, std::size_t> kLawColours = {
     {"asmc", 0}, {"smc", 1}, {"geometric", 2}, {"switched", 3}};
 
 std::string withTime(const char* what, double time) {
-  char text[64];
-  std::snprintf(text, sizeof text, " (%s %.1f s)", what, time);
-  return text;
+  return formatted(" (%s %.1f s)", what, time);
 }
 
 }  // namespace
@@ -112,9 +111,7 @@ std::string paletteColour(std::size_t index) {
 }
 
 std::string lineStyle(const std::string& colour, double width) {
-  char text[64];
-  std::snprintf(text, sizeof text, "lc rgb '%s' lw %g", colour.c_str(), width);
-  return text;
+  return formatted("lc rgb '%s' lw %g", colour.c_str(), width);
 }
 
 std::string withUnit(const std::string& adaptive_name) {

@@ -18,9 +18,8 @@ class Asmc final : public CascadedController {
   explicit Asmc(const ParameterReader& reader);
 
   void reset() noexcept override;
-  /// From an asmc all gains and m-hat; from another law m-hat alone, unless the initial one is
-  /// larger: its estimate or, without one, the mass that the vertical force it commands would hold
-  /// up, which is the true one at rest.
+  /// From an asmc all gains and m-hat; from another law m-hat alone, its liftedMass(), unless the
+  /// initial one is larger.
   void adopt(const Controller& old) noexcept override;
   std::vector<std::string> adaptiveNames() const override;
 

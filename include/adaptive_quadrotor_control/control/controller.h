@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -31,6 +32,12 @@ struct Telemetry {
   double mass_estimate = std::numeric_limits<double>::quiet_NaN();
   /// In the order of Controller::adaptiveNames().
   AdaptiveValues adaptive;
+
+  /// The mass [kg] that is estimated or, without an estimate, the one that the vertical force
+  /// would hold up, which is the true one at rest.
+  double liftedMass() const noexcept {
+    return std::isfinite(mass_estimate) ? mass_estimate : force.z() / kGravity;
+  }
 };
 
 /// A control law: from where the vehicle is and should be to what the rotors should do together.

@@ -29,7 +29,7 @@ struct SwitchReport {
 /// Orders that wait for their time. The offline flight and the nodelet both run this class.
 class SwitchSchedule {
  public:
-  static constexpr std::size_t kMost = 10000;  ///< that may wait
+  static constexpr std::uint32_t kMost = 10000;  ///< that may wait
 
   /// Keeps the order of equal times. False, and nothing is kept, when kMost wait already.
   bool plan(const SwitchOrder& order);

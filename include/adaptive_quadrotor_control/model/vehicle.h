@@ -41,6 +41,8 @@ struct Vehicle {
 
   /// Largest thrust all rotors give together [N].
   double maxThrust() const;
+  /// Where the feet stand below B, in its x and y [m].
+  std::array<Eigen::Vector2d, 4> feet() const;
 };
 
 /// Reads and validates a vehicle: see config/vehicle/*.yaml for the names and their meaning.

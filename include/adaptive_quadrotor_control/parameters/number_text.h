@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdio>
 #include <sstream>
 #include <string>
 
@@ -13,6 +15,15 @@ inline std::string numberText(double value) {
   out.precision(kDigits);
   out << value;
   return out.str();
+}
+
+/// Values in a pattern of printf(), whose conversions they must fit.
+template <class... Values>
+std::string formatted(const char* pattern, Values... values) {
+  const int size = std::snprintf(nullptr, 0, pattern, values...);
+  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0U, ' ');
+  std::snprintf(text.data(), text.size() + 1, pattern, values...);
+  return text;
 }
 
 }  // namespace aqc

@@ -8,9 +8,11 @@
 #include <ros/time.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
+#include <map>
 #include <vector>
 
 #include "adaptive_quadrotor_control/ControllerState.h"
+#include "adaptive_quadrotor_control/PlantStatus.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 #include "adaptive_quadrotor_control/simulation/flight_log.h"
 
@@ -20,6 +22,9 @@ namespace aqc {
 
 // Message and service types; some share their name with a type of the core.
 namespace msgs = ::adaptive_quadrotor_control;
+
+constexpr const char* kWorldFrame = "world";     ///< W
+constexpr const char* kBodyFrame = "base_link";  ///< B
 
 inline Nanoseconds toNanoseconds(const ros::Time& time) {
   return static_cast<Nanoseconds>(time.toNSec());
@@ -54,5 +59,12 @@ SetPoint toSetPoint(const geometry_msgs::Pose& pose);
 /// (payload, contact) is not in it.
 void fill(const FlightSample& sample, msgs::ControllerState& message);
 FlightSample toSample(const msgs::ControllerState& message);
+
+/// What the plant published, by its time.
+using PlantHistory = std::map<Nanoseconds, msgs::PlantStatus::ConstPtr>;
+
+/// Puts what only the plant knew at the sample's time into it. Returns the status that told, the
+/// latest one not after the sample; null, and nothing is put, without one.
+const msgs::PlantStatus* addTruth(const PlantHistory& history, FlightSample& sample);
 
 }  // namespace aqc

@@ -63,7 +63,7 @@ class MissionNode {
   std::vector<FlightSample> samples_;
   std::vector<TimedPlant::Refusal> refusals_;
   std::uint32_t known_refusals_ = 0;
-  std::map<Nanoseconds, msgs::PlantStatus::ConstPtr> truth_;  // by scenario time
+  PlantHistory truth_;  // by scenario time
 };
 
 }  // namespace aqc

@@ -29,4 +29,14 @@ inline int runNode(int argc, char** argv, const std::string& name,
   }
 }
 
+/// The main function of a node that lives in its callbacks.
+template <class Node>
+int spinNode(int argc, char** argv, const std::string& name) {
+  return runNode(argc, argv, name, [] {
+    Node node;
+    ros::spin();
+    return 0;
+  });
+}
+
 }  // namespace aqc
