@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_quadrotor_control/control/flight_controller.h"
+#include "adaptive_quadrotor_control/pilot/flight_controller.h"
 #include "adaptive_quadrotor_control/simulation/closed_loop.h"
 #include "support/fixtures.h"
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "adaptive_quadrotor_control/control/flight_controller.h"
-#include "adaptive_quadrotor_control/control/switched.h"
+#include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/pilot/flight_controller.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -17,7 +17,7 @@ void switchedStep(benchmark::State& state) {
   tree["subsystems"] = YAML::Node(YAML::NodeType::Sequence);
   for (int i = 0; i < state.range(0); ++i) tree["subsystems"].push_back(YAML::Clone(first));
   const Vehicle vehicle = test::pelican();
-  FlightController controller(vehicle, makeController(ParameterReader(tree, "switched"), vehicle));
+  FlightController controller(vehicle, makeLaw(ParameterReader(tree, "switched"), vehicle));
 
   test::Dice dice(1);
   std::vector<State> states(256);

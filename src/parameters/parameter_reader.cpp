@@ -4,7 +4,7 @@
 #include <fstream>
 #include <utility>
 
-#include "adaptive_quadrotor_control/model/eigenvalues.h"
+#include "adaptive_quadrotor_control/math/eigenvalues.h"
 
 namespace aqc {
 namespace {

@@ -1,10 +1,10 @@
-#include "argument_checks.h"
+#include "reference/argument_checks.h"
 
 #include <Eigen/Core>
 #include <cmath>
 #include <optional>
 
-#include "invalid_argument.h"
+#include "reference/invalid_argument.h"
 
 namespace aqc {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "adaptive_quadrotor_control/model/state.h"
-#include "argument_checks.h"
+#include "reference/argument_checks.h"
 
 namespace aqc {
 namespace {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "argument_checks.h"
-#include "invalid_argument.h"
-#include "snap_rows.h"
+#include "reference/argument_checks.h"
+#include "reference/invalid_argument.h"
+#include "reference/snap_rows.h"
 
 namespace aqc {
 namespace {

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <utility>
 
-#include "argument_checks.h"
-#include "invalid_argument.h"
-#include "snap_rows.h"
+#include "reference/argument_checks.h"
+#include "reference/invalid_argument.h"
+#include "reference/snap_rows.h"
 
 namespace aqc {
 namespace {

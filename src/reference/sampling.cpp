@@ -1,6 +1,6 @@
 #include "adaptive_quadrotor_control/reference/sampling.h"
 
-#include "invalid_argument.h"
+#include "reference/invalid_argument.h"
 
 namespace aqc {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "adaptive_quadrotor_control/model/state.h"
-#include "argument_checks.h"
-#include "invalid_argument.h"
+#include "reference/argument_checks.h"
+#include "reference/invalid_argument.h"
 
 namespace aqc {
 namespace {

@@ -6,7 +6,7 @@
 namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
-                       std::unique_ptr<Controller> law)
+                       std::unique_ptr<ControlLaw> law)
     : plant_(Plant(vehicle, scenario.start, scenario.walls, scenario.ground), scenario.cargo,
              scenario.plant_step),
       controller_(vehicle, std::move(law)),
@@ -54,7 +54,7 @@ FlightSample ClosedLoop::sample() const {
 }
 
 FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::string& controller_name,
-              std::unique_ptr<Controller> law, const std::function<void(double)>& progress) {
+              std::unique_ptr<ControlLaw> law, const std::function<void(double)>& progress) {
   ClosedLoop loop(scenario, vehicle, std::move(law));
   FlightLog log;
   log.controller = controller_name;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "adaptive_quadrotor_control/model/rotations.h"
+#include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/simulation/mission.h"
 
 namespace aqc {
@@ -44,7 +44,7 @@ std::map<std::string, Payload> readPayloads(const ParameterReader& reader, bool 
     }
     const std::vector<double> place = entry.numbers("place", 2, Range::any());
     const double height = 0.5 * payloads[name].size.z();
-    cargo.push_back({name, payloads[name], {place[0], place[1], height}, {}});
+    cargo.push_back({name, payloads[name], {place[0], place[1], height}, Eigen::Vector3d::Zero()});
   }
   return payloads;
 }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_quadrotor_control/parameters/number_text.h"
+#include "adaptive_quadrotor_control/math/number_text.h"
 
 namespace aqc {
 

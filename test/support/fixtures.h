@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "adaptive_quadrotor_control/control/controller_factory.h"
+#include "adaptive_quadrotor_control/law/law_factory.h"
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/reference/set_point.h"
@@ -29,8 +29,8 @@ inline Vehicle pelican() {
   return vehicleNamed("pelican_thesis");
 }
 
-inline std::unique_ptr<Controller> lawNamed(const std::string& name, const Vehicle& vehicle) {
-  return loadController(configFile("controller/" + name), vehicle);
+inline std::unique_ptr<ControlLaw> lawNamed(const std::string& name, const Vehicle& vehicle) {
+  return loadLaw(configFile("controller/" + name), vehicle);
 }
 
 /// A solid box whose top touches the origin of B.

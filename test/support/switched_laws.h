@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "adaptive_quadrotor_control/control/switched.h"
+#include "adaptive_quadrotor_control/law/switched/switched.h"
 #include "support/fixtures.h"
 
 /// Switched laws and a situation to try them in.

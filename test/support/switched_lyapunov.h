@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "adaptive_quadrotor_control/control/switched_law.h"
+#include "adaptive_quadrotor_control/law/switched/switched_law.h"
 #include "support/fixtures.h"
 
 /// What the theorem of thesis chapter 3 needs to know and the controller does not.

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_quadrotor_control/parameters/number_text.h"
+#include "adaptive_quadrotor_control/math/number_text.h"
 
 namespace aqc {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "adaptive_quadrotor_control/model/time.h"
+#include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/reference/set_point.h"
 
 namespace aqc {

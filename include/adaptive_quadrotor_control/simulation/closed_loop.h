@@ -3,8 +3,8 @@
 #include <functional>
 #include <memory>
 
-#include "adaptive_quadrotor_control/control/flight_controller.h"
-#include "adaptive_quadrotor_control/simulation/flight_log.h"
+#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/pilot/flight_controller.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
 namespace aqc {
@@ -13,7 +13,7 @@ namespace aqc {
 /// the state of this very instant, the rotor speeds held until its next step.
 class ClosedLoop {
  public:
-  ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<Controller> law);
+  ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<ControlLaw> law);
 
   bool done() const noexcept { return plant_.now() >= duration_; }
   /// One control step, then the plant until the next one.
@@ -41,6 +41,6 @@ class ClosedLoop {
 
 /// Flies the scenario to its end. `progress` (may be empty) is told the share flown, 0 to 1.
 FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::string& controller_name,
-              std::unique_ptr<Controller> law, const std::function<void(double)>& progress);
+              std::unique_ptr<ControlLaw> law, const std::function<void(double)>& progress);
 
 }  // namespace aqc

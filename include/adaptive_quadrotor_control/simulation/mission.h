@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_quadrotor_control/control/switch_schedule.h"
+#include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"

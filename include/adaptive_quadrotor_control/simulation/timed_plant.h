@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "adaptive_quadrotor_control/model/time.h"
+#include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/simulation/cargo.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
 

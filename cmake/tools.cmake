@@ -1,0 +1,24 @@
+# What people look at: tables and files (report), figures, and the command-line programs.
+
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+file(GLOB report_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/report/*.cpp)
+add_library(aqc_report ${report_sources})
+target_compile_definitions(aqc_report PRIVATE AQC_SOURCE_CONFIG="${PROJECT_SOURCE_DIR}/config")
+target_include_directories(aqc_report PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+target_link_libraries(aqc_report PUBLIC aqc_core nlohmann_json::nlohmann_json)
+
+file(GLOB figure_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/figures/*.cpp)
+add_library(aqc_figures ${figure_sources})
+target_link_libraries(aqc_figures PUBLIC aqc_report)
+
+foreach(program fly vehicle_urdf)
+  add_executable(${program} ${PROJECT_SOURCE_DIR}/src/apps/${program}.cpp)
+  target_link_libraries(${program} aqc_figures CLI11::CLI11)
+  install(TARGETS ${program} RUNTIME DESTINATION ${AQC_PROGRAM_DESTINATION})
+endforeach()
+install(TARGETS aqc_report aqc_figures
+  ARCHIVE DESTINATION ${AQC_LIB_DESTINATION}
+  LIBRARY DESTINATION ${AQC_LIB_DESTINATION}
+  RUNTIME DESTINATION ${AQC_BIN_DESTINATION})

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+
+#include "adaptive_quadrotor_control/law/adaptive_gain.h"
+#include "adaptive_quadrotor_control/law/cascaded_law.h"
+
+namespace aqc {
+
+/// The adaptive sliding-mode controller of thesis chapter 2 (eqs. ip_out, adap_out, ip_inn,
+/// q_adap_K with sat for sgn). It knows neither mass nor inertia nor payload.
+///
+/// As printed, without cures: the leak alpha_m leaves a steady sag of about
+/// alpha_m m / (g Phi_z), and the law keeps adapting while the rotors saturate.
+class Asmc final : public CascadedLaw {
+ public:
+  /// Names and meaning: config/controller/asmc.yaml. Throws ParameterError.
+  explicit Asmc(const ParameterReader& reader);
+
+  void reset() noexcept override;
+  /// From an asmc all gains and m-hat; from another law m-hat alone, its liftedMass(), unless the
+  /// initial one is larger.
+  void adopt(const ControlLaw& old) noexcept override;
+  std::vector<std::string> adaptiveNames() const override;
+
+ private:
+  Eigen::Vector3d force(const SetPoint& set_point, double dt) noexcept override;
+  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors,
+                         double dt) noexcept override;
+  void report(Telemetry& telemetry) const noexcept override;
+
+  // One loop's law without its feed-forward: -Lambda s - rho sat(s, varpi), where
+  // rho = sum_i K_i ||xi||^i and each K_i adapts with ||s|| ||xi||^i.
+  template <std::size_t Count>
+  class Loop {
+   public:
+    explicit Loop(const ParameterReader& reader);
+    Eigen::Vector3d update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate, double dt,
+                           Eigen::Vector3d& sliding) noexcept;
+    void reset() noexcept;
+    void adopt(const Loop& old) noexcept;
+    const std::array<AdaptiveGain, Count>& gains() const noexcept { return gains_; }
+
+   private:
+    Eigen::Matrix3d slope_;                  // Phi [1/s]
+    Eigen::Matrix3d gain_;                   // Lambda
+    double boundary_layer_;                  // varpi
+    std::array<AdaptiveGain, Count> gains_;  // K_i
+  };
+
+  Loop<2> position_;
+  Loop<3> attitude_;
+  AdaptiveGain mass_;  // m-hat [kg]
+};
+
+}  // namespace aqc

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "adaptive_quadrotor_control/law/cascaded_law.h"
+
+namespace aqc {
+
+/// Sliding-mode control with fixed gains (Xu and Ozguner 2008), the thesis's robust baseline: it
+/// must be told the nominal mass and inertia and a bound on what a payload adds to them.
+///
+/// Per axis and in both loops: tau = M0 b - kappa sat(s / varpi), kappa = eta + F |b|, with
+/// b = g + a_d - Phi_p de_p for the position and b = -Phi_q de_q for the attitude.
+class Smc final : public CascadedLaw {
+ public:
+  /// Names and meaning: config/controller/smc.yaml. Throws ParameterError.
+  explicit Smc(const ParameterReader& reader);
+
+  void reset() noexcept override {}
+  std::vector<std::string> adaptiveNames() const override { return {}; }
+
+ private:
+  Eigen::Vector3d force(const SetPoint& set_point, double dt) noexcept override;
+  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors,
+                         double dt) noexcept override;
+  void report(Telemetry&) const noexcept override {}
+
+  struct Loop {
+    explicit Loop(const ParameterReader& reader);
+    Eigen::Vector3d update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
+                           const Eigen::Vector3d& feed_forward,
+                           Eigen::Vector3d& sliding) const noexcept;
+
+    Eigen::Vector3d slope;          // Phi [1/s]
+    Eigen::Vector3d reaching_gain;  // eta
+    Eigen::Vector3d nominal;        // M0: mass [kg] or principal moments [kg m^2]
+    Eigen::Vector3d payload_bound;  // F, in the unit of M0
+    double boundary_layer;          // varpi
+  };
+
+  Loop position_;
+  Loop attitude_;
+};
+
+}  // namespace aqc

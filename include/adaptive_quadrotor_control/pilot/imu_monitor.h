@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "adaptive_quadrotor_control/math/time.h"
+
+namespace aqc {
+
+/// The latest accelerometer sample, and whether it may still be used. Times are those of the
+/// samples themselves and of the odometry they go with; there is no clock in it.
+class ImuMonitor {
+ public:
+  static constexpr Nanoseconds kOldest = 100'000'000;  ///< usable behind the odometry [ns]
+
+  /// A sample in B [m/s^2]. False, and it is dropped and counted, when it is not finite or older
+  /// than the one before, unless so much that the clock was started anew (startedAnew()).
+  bool take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept;
+
+  /// What goes with odometry of the time `now`: null when the latest sample is older than kOldest,
+  /// when it is of the time before a new start, or when none has ever come. A loss is counted once,
+  /// when usable() turns false.
+  const Eigen::Vector3d* at(Nanoseconds now) noexcept;
+
+  /// Whether a sample not older than `now` has come.
+  bool covers(Nanoseconds now) const noexcept {
+    return started_ && time_ >= now && !startedAnew(time_, now);
+  }
+  /// Whether the last at() gave a sample.
+  bool usable() const noexcept { return usable_; }
+  Nanoseconds time() const noexcept { return time_; }  ///< of the latest sample
+  long dropped() const noexcept { return dropped_; }
+  long losses() const noexcept { return losses_; }
+
+ private:
+  Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
+  Nanoseconds time_ = 0;
+  bool started_ = false;
+  bool usable_ = false;
+  long dropped_ = 0;
+  long losses_ = 0;
+};
+
+}  // namespace aqc

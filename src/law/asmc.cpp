@@ -1,0 +1,111 @@
+#include "adaptive_quadrotor_control/law/asmc.h"
+
+#include <cmath>
+#include <utility>
+
+#include "adaptive_quadrotor_control/law/saturation.h"
+
+namespace aqc {
+namespace {
+
+template <std::size_t... Index>
+std::array<AdaptiveGain, sizeof...(Index)> readGains(const ParameterReader& reader,
+                                                     std::index_sequence<Index...>) {
+  constexpr std::size_t kCount = sizeof...(Index);
+  const std::vector<double> initial = reader.numbers("initial_gains", kCount, Range::positive());
+  const std::vector<double> leak = reader.numbers("leak", kCount, Range::positive());
+  return {AdaptiveGain(initial[Index], leak[Index])...};
+}
+
+AdaptiveGain readMass(const ParameterReader& reader) {
+  return {reader.number("initial", Range::positive()), reader.number("leak", Range::positive())};
+}
+
+}  // namespace
+
+template <std::size_t Count>
+Asmc::Loop<Count>::Loop(const ParameterReader& reader)
+    : slope_(reader.positiveDefinite("slope")),
+      gain_(reader.positiveDefinite("gain")),
+      boundary_layer_(reader.number("boundary_layer", Range::positive())),
+      gains_(readGains(reader, std::make_index_sequence<Count>())) {}
+
+template <std::size_t Count>
+Eigen::Vector3d Asmc::Loop<Count>::update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
+                                          double dt, Eigen::Vector3d& sliding) noexcept {
+  sliding = rate + slope_ * error;
+  const double xi = std::sqrt(error.squaredNorm() + rate.squaredNorm());  // ||xi||
+  double drive = sliding.norm();                                          // ||s|| ||xi||^i
+  double rho = 0.0;
+  double power = 1.0;  // ||xi||^i
+  for (AdaptiveGain& gain : gains_) {
+    rho += gain.value() * power;
+    gain.step(drive, dt);
+    power *= xi;
+    drive *= xi;
+  }
+  return -gain_ * sliding - rho * saturate(sliding, boundary_layer_);
+}
+
+template <std::size_t Count>
+void Asmc::Loop<Count>::reset() noexcept {
+  for (AdaptiveGain& gain : gains_) gain.reset();
+}
+
+template <std::size_t Count>
+void Asmc::Loop<Count>::adopt(const Loop& old) noexcept {
+  for (std::size_t i = 0; i < Count; ++i) gains_[i].adopt(old.gains_[i].value());
+}
+
+Asmc::Asmc(const ParameterReader& reader)
+    : CascadedLaw(reader),
+      position_(reader.child("position")),
+      attitude_(reader.child("attitude")),
+      mass_(readMass(reader.child("mass_estimate"))) {
+  report(telemetry_);
+}
+
+Eigen::Vector3d Asmc::force(const SetPoint&, double dt) noexcept {
+  Eigen::Vector3d force = position_.update(telemetry_.position_error, telemetry_.velocity_error, dt,
+                                           telemetry_.sliding_position);
+  force.z() += mass_.value() * kGravity;
+  mass_.step(-telemetry_.sliding_position.z() * kGravity, dt);  // -s_p' g_p
+  return force;
+}
+
+Eigen::Vector3d Asmc::moment(const State&, const AttitudeErrors& errors, double dt) noexcept {
+  return attitude_.update(errors.angle, errors.rate, dt, telemetry_.sliding_attitude);
+}
+
+void Asmc::reset() noexcept {
+  position_.reset();
+  attitude_.reset();
+  mass_.reset();
+  report(telemetry_);
+}
+
+void Asmc::adopt(const ControlLaw& old) noexcept {
+  if (const auto* same = dynamic_cast<const Asmc*>(&old)) {
+    position_.adopt(same->position_);
+    attitude_.adopt(same->attitude_);
+    mass_.adopt(same->mass_.value());
+  } else {
+    const double mass = old.telemetry().liftedMass();
+    if (mass > mass_.value()) mass_.adopt(mass);
+  }
+  report(telemetry_);
+}
+
+std::vector<std::string> Asmc::adaptiveNames() const {
+  return {"K_p0", "K_p1", "K_q0", "K_q1", "K_q2"};
+}
+
+void Asmc::report(Telemetry& telemetry) const noexcept {
+  telemetry.mass_estimate = mass_.value();
+  telemetry.adaptive.resize(5);
+  Eigen::Index i = 0;
+  for (const AdaptiveGain& gain : position_.gains()) telemetry.adaptive[i++] = gain.value();
+  for (const AdaptiveGain& gain : attitude_.gains()) telemetry.adaptive[i++] = gain.value();
+}
+
+}  // namespace aqc

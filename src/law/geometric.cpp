@@ -1,0 +1,27 @@
+#include "adaptive_quadrotor_control/law/geometric.h"
+
+namespace aqc {
+
+Geometric::Geometric(const ParameterReader& reader, const Vehicle& vehicle)
+    : CascadedLaw(reader),
+      mass_(vehicle.mass),
+      inertia_(vehicle.inertia),
+      position_gain_(reader.vector3("position_gain", Range::positive())),
+      velocity_gain_(reader.vector3("velocity_gain", Range::positive())),
+      attitude_gain_(reader.vector3("attitude_gain", Range::positive())),
+      rate_gain_(reader.vector3("rate_gain", Range::positive())) {}
+
+Eigen::Vector3d Geometric::force(const SetPoint& set_point, double) noexcept {
+  return mass_ * (set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ()) -
+         position_gain_.cwiseProduct(telemetry_.position_error) -
+         velocity_gain_.cwiseProduct(telemetry_.velocity_error);
+}
+
+Eigen::Vector3d Geometric::moment(const State& state, const AttitudeErrors& errors,
+                                  double) noexcept {
+  const Eigen::Vector3d gyroscopic = state.body_rate.cross(inertia_ * state.body_rate);
+  return gyroscopic - attitude_gain_.cwiseProduct(errors.angle) -
+         rate_gain_.cwiseProduct(errors.rate);
+}
+
+}  // namespace aqc

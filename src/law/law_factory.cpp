@@ -1,0 +1,57 @@
+#include "adaptive_quadrotor_control/law/law_factory.h"
+
+#include <map>
+
+#include "adaptive_quadrotor_control/law/asmc.h"
+#include "adaptive_quadrotor_control/law/geometric.h"
+#include "adaptive_quadrotor_control/law/smc.h"
+#include "adaptive_quadrotor_control/law/switched/switched.h"
+
+namespace aqc {
+namespace {
+
+using Maker = std::unique_ptr<ControlLaw> (*)(const ParameterReader&, const Vehicle&);
+
+// To add a law: write its class in a file of its own and add its line here.
+const std::map<std::string, Maker>& makers() {
+  static const std::map<std::string, Maker> table = {
+      {"asmc",
+       [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<ControlLaw> {
+         return std::make_unique<Asmc>(reader);
+       }},
+      {"geometric",
+       [](const ParameterReader& reader, const Vehicle& vehicle) -> std::unique_ptr<ControlLaw> {
+         return std::make_unique<Geometric>(reader, vehicle);
+       }},
+      {"smc",
+       [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<ControlLaw> {
+         return std::make_unique<Smc>(reader);
+       }},
+      {"switched",
+       [](const ParameterReader& reader, const Vehicle& vehicle) -> std::unique_ptr<ControlLaw> {
+         return std::make_unique<Switched>(reader, vehicle);
+       }},
+  };
+  return table;
+}
+
+}  // namespace
+
+std::vector<std::string> lawNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : makers()) names.push_back(entry.first);
+  return names;
+}
+
+std::unique_ptr<ControlLaw> makeLaw(const ParameterReader& reader, const Vehicle& vehicle) {
+  return makers().at(reader.choice("law", lawNames()))(reader, vehicle);
+}
+
+std::unique_ptr<ControlLaw> loadLaw(const std::string& path, const Vehicle& vehicle) {
+  const ParameterReader reader(loadYamlFile(path), path);
+  std::unique_ptr<ControlLaw> controller = makeLaw(reader, vehicle);
+  reader.finish();
+  return controller;
+}
+
+}  // namespace aqc

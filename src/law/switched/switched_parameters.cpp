@@ -1,0 +1,126 @@
+#include "adaptive_quadrotor_control/law/switched/switched_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace aqc {
+namespace {
+
+// Symmetric positive definite: the diagonal, or all numbers row by row.
+template <int Size>
+Eigen::Matrix<double, Size, Size> readMatrix(const ParameterReader& reader,
+                                             const std::string& key) {
+  constexpr std::size_t kDiagonal = Size;
+  constexpr std::size_t kFull = kDiagonal * kDiagonal;
+  using Matrix = Eigen::Matrix<double, Size, Size>;
+  const std::vector<double> v = reader.numbers(key, 0, Range::any());
+  if (v.size() != kDiagonal && v.size() != kFull) {
+    reader.refuse(key, "has " + std::to_string(v.size()) + " numbers; it must have " +
+                           std::to_string(kDiagonal) + " (the diagonal) or " +
+                           std::to_string(kFull) + " (row by row)");
+  }
+  Matrix matrix = Matrix::Zero();
+  if (v.size() == kDiagonal) {
+    matrix.diagonal() = Eigen::Map<const Eigen::Matrix<double, Size, 1>>(v.data());
+  } else {
+    matrix = Eigen::Map<const Matrix>(v.data());
+  }
+  if (matrix != matrix.transpose()) reader.refuseValue(key, "symmetric");
+  reader.requirePositiveDefinite(key, matrix);
+  return matrix;
+}
+
+Eigen::Vector4d readVector(const ParameterReader& reader, const std::string& key) {
+  return Eigen::Vector4d(reader.numbers(key, 4, Range::positive()).data());
+}
+
+// Eq. init: a gain that decays towards its drive must start above it.
+double readInitial(const ParameterReader& reader, const std::string& key, double drive,
+                   const std::string& drive_key) {
+  const double initial = reader.number(key, Range::positive());
+  if (!(initial > drive)) {
+    reader.refuseValue(key, "> '" + drive_key + "' = " + numberText(drive) + " (thesis eq. init)");
+  }
+  return initial;
+}
+
+// Eq. alpha. P and varrho are known only now.
+void checkLeak(const ParameterReader& reader, const SubsystemParameters& parameters,
+               double varrho) {
+  if (!(parameters.leak.minCoeff() > 0.5 * varrho)) {
+    reader.refuseValue("leak",
+                       "> varrho / 2 = " + numberText(0.5 * varrho) +
+                           " in every entry; varrho = lambda_min(Q) / lambda_max(P) (eq. alpha)");
+  }
+}
+
+SubsystemParameters readSubsystem(const ParameterReader& reader) {
+  SubsystemParameters p;
+  p.error_gain = readMatrix<4>(reader, "error_gain");
+  p.rate_gain = readMatrix<4>(reader, "rate_gain");
+  p.input_gain = readMatrix<4>(reader, "input_gain");
+  p.weight = readMatrix<8>(reader, "weight");
+  p.leak = readVector(reader, "leak");
+  p.gamma_drive = reader.number("gamma_drive", Range::positive());
+  p.zeta_drive = reader.number("zeta_drive", Range::positive());
+  p.initial_theta = readVector(reader, "initial_theta");
+  p.initial_zeta = readInitial(reader, "initial_zeta", p.zeta_drive, "zeta_drive");
+  p.initial_gamma = readInitial(reader, "initial_gamma", p.gamma_drive, "gamma_drive");
+  try {
+    checkLeak(reader, p, solveSubsystem(p).spectrum.decay());
+  } catch (const std::domain_error& error) {
+    reader.refuse("weight",
+                  std::string("and the gains give no Lyapunov function: ") + error.what());
+  }
+  return p;
+}
+
+// The average dwell time to enforce: the shortest allowed unless the file asks for a longer one.
+Nanoseconds readDwellTime(const ParameterReader& reader, const DwellTime& bound) {
+  const double longest = toSeconds(DwellTimeMonitor::kLongest);
+  if (!(bound.least < longest)) {
+    reader.refuse("subsystems",
+                  "ask for " + bound.text() + "; it must be < " + numberText(longest) + " s");
+  }
+  const auto shortest = static_cast<Nanoseconds>(std::floor(bound.least * 1e9)) + 1;
+  if (!reader.has("dwell_time")) return shortest;
+  const double seconds = reader.number("dwell_time", Range::positiveUpTo(longest));
+  if (!(seconds > bound.least)) {
+    reader.refuseValue("dwell_time", "> theta* (" + bound.text() + ", thesis eq. sw_law)");
+  }
+  return std::max(shortest, fromSeconds(seconds));
+}
+
+}  // namespace
+
+SwitchedLaw readSwitchedLaw(const ParameterReader& reader, int most) {
+  const std::vector<ParameterReader> children = reader.children("subsystems");
+  if (children.empty() || children.size() > static_cast<std::size_t>(most)) {
+    reader.refuse("subsystems", "lists " + std::to_string(children.size()) +
+                                    " subsystems; it must list 1 to " + std::to_string(most));
+  }
+  std::vector<SubsystemParameters> subsystems;
+  for (const ParameterReader& child : children) subsystems.push_back(readSubsystem(child));
+  return SwitchedLaw(subsystems, reader.number("boundary_layer", Range::positive(), 0.1));
+}
+
+SubsystemSwitch readSubsystemSwitch(const ParameterReader& reader, const SwitchedLaw& law) {
+  const double kappa_ratio = reader.number("kappa_ratio", Range::positive(), 0.9);
+  if (!(kappa_ratio < 1.0)) {
+    reader.refuseValue("kappa_ratio", "> 0 and < 1 (thesis: kappa < varrho)");
+  }
+  const DwellTime bound = averageDwellTime(law.spectra(), kappa_ratio);
+  const Nanoseconds dwell_time = readDwellTime(reader, bound);
+  const double chatter_bound =
+      reader.number("chatter_bound", Range::between(1.0, DwellTimeMonitor::kMostChatter));
+  const bool warn = reader.choice("switching_policy", {"refuse", "warn"}) == "warn";
+  const int initial =
+      reader.has("initial_subsystem") ? reader.integer("initial_subsystem", 1, law.count()) : 1;
+  return SubsystemSwitch(law.count(), initial, bound, DwellTimeMonitor(dwell_time, chatter_bound),
+                         warn ? SubsystemSwitch::Policy::kWarn : SubsystemSwitch::Policy::kRefuse);
+}
+
+}  // namespace aqc

@@ -1,0 +1,24 @@
+#include "adaptive_quadrotor_control/pilot/imu_monitor.h"
+
+namespace aqc {
+
+bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept {
+  const bool late = started_ && time < time_ && !startedAnew(time_, time);
+  if (!specific_force.allFinite() || late) {
+    ++dropped_;
+    return false;
+  }
+  specific_force_ = specific_force;
+  time_ = time;
+  started_ = true;
+  return true;
+}
+
+const Eigen::Vector3d* ImuMonitor::at(Nanoseconds now) noexcept {
+  const bool usable = started_ && now - time_ <= kOldest && !startedAnew(time_, now);
+  if (usable_ && !usable) ++losses_;
+  usable_ = usable;
+  return usable ? &specific_force_ : nullptr;
+}
+
+}  // namespace aqc

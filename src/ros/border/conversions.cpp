@@ -1,0 +1,219 @@
+#include "ros/border/conversions.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "adaptive_quadrotor_control/math/rotations.h"
+
+namespace aqc {
+namespace {
+
+[[noreturn]] void refusePoint(std::size_t index, const std::string& problem) {
+  throw std::invalid_argument("set point " + std::to_string(index) + " " + problem);
+}
+
+SetPoint toSetPoint(const trajectory_msgs::MultiDOFJointTrajectoryPoint& point, std::size_t index) {
+  if (point.transforms.empty()) refusePoint(index, "has no transform");
+  const Eigen::Quaterniond rotation = toEigen(point.transforms.front().rotation);
+  SetPoint set_point;
+  set_point.position = toEigen(point.transforms.front().translation);
+  if (!point.velocities.empty()) {
+    set_point.velocity = toEigen(point.velocities.front().linear);
+    set_point.yaw_rate = point.velocities.front().angular.z;
+  }
+  if (!point.accelerations.empty()) {
+    set_point.acceleration = toEigen(point.accelerations.front().linear);
+  }
+  if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) refusePoint(index, "has no unit quaternion");
+  set_point.yaw = rollPitchYaw(rotation.normalized()).z();
+  if (!set_point.valid()) refusePoint(index, "has a number that is not finite");
+  return set_point;
+}
+
+}  // namespace
+
+ros::Time toRosTime(Nanoseconds time) {
+  ros::Time result;
+  result.fromNSec(static_cast<std::uint64_t>(time));
+  return result;
+}
+
+Eigen::Vector3d toEigen(const geometry_msgs::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+Eigen::Vector3d toEigen(const geometry_msgs::Point& p) {
+  return {p.x, p.y, p.z};
+}
+Eigen::Quaterniond toEigen(const geometry_msgs::Quaternion& q) {
+  return {q.w, q.x, q.y, q.z};
+}
+
+geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& vector) {
+  geometry_msgs::Vector3 message;
+  message.x = vector.x();
+  message.y = vector.y();
+  message.z = vector.z();
+  return message;
+}
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& point) {
+  geometry_msgs::Point message;
+  message.x = point.x();
+  message.y = point.y();
+  message.z = point.z();
+  return message;
+}
+
+geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& quaternion) {
+  geometry_msgs::Quaternion message;
+  message.w = quaternion.w();
+  message.x = quaternion.x();
+  message.y = quaternion.y();
+  message.z = quaternion.z();
+  return message;
+}
+
+State toState(const nav_msgs::Odometry& odometry) {
+  State state;
+  state.position = toEigen(odometry.pose.pose.position);
+  state.attitude = toEigen(odometry.pose.pose.orientation);
+  if (state.valid()) state.attitude.normalize();
+  state.velocity = state.attitude * toEigen(odometry.twist.twist.linear);
+  state.body_rate = toEigen(odometry.twist.twist.angular);
+  return state;
+}
+
+nav_msgs::Odometry toOdometry(const State& state, Nanoseconds time) {
+  nav_msgs::Odometry odometry;
+  odometry.header.stamp = toRosTime(time);
+  odometry.header.frame_id = kWorldFrame;
+  odometry.child_frame_id = kBodyFrame;
+  odometry.pose.pose.position = toPoint(state.position);
+  odometry.pose.pose.orientation = toQuaternion(state.attitude);
+  odometry.twist.twist.linear = toVector3(state.attitude.conjugate() * state.velocity);
+  odometry.twist.twist.angular = toVector3(state.body_rate);
+  return odometry;
+}
+
+std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTrajectory& trajectory,
+                                       Nanoseconds begin) {
+  if (trajectory.points.empty()) throw std::invalid_argument("the trajectory has no points");
+  std::vector<TimedSetPoint> set_points;
+  set_points.reserve(trajectory.points.size());
+  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+    const Nanoseconds time = begin + trajectory.points[i].time_from_start.toNSec();
+    if (i > 0 && time < set_points.back().time) refusePoint(i, "is earlier than the one before");
+    set_points.push_back({time, toSetPoint(trajectory.points[i], i)});
+  }
+  return set_points;
+}
+
+trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSetPoint>& set_points,
+                                                      Nanoseconds begin) {
+  trajectory_msgs::MultiDOFJointTrajectory trajectory;
+  trajectory.header.stamp = toRosTime(begin);
+  trajectory.header.frame_id = kWorldFrame;
+  trajectory.joint_names = {kBodyFrame};
+  for (const TimedSetPoint& timed : set_points) {
+    const SetPoint& set_point = timed.set_point;
+    trajectory_msgs::MultiDOFJointTrajectoryPoint point;
+    point.time_from_start.fromNSec(timed.time - begin);
+    point.transforms.resize(1);
+    point.transforms[0].translation = toVector3(set_point.position);
+    point.transforms[0].rotation = toQuaternion(yawRotation(set_point.yaw));
+    point.velocities.resize(1);
+    point.velocities[0].linear = toVector3(set_point.velocity);
+    point.velocities[0].angular.z = set_point.yaw_rate;
+    point.accelerations.resize(1);
+    point.accelerations[0].linear = toVector3(set_point.acceleration);
+    trajectory.points.push_back(point);
+  }
+  return trajectory;
+}
+
+SetPoint toSetPoint(const geometry_msgs::Pose& pose) {
+  trajectory_msgs::MultiDOFJointTrajectoryPoint point;
+  point.transforms.resize(1);
+  point.transforms[0].translation = toVector3(toEigen(pose.position));
+  point.transforms[0].rotation = pose.orientation;
+  return toSetPoint(point, 0);
+}
+
+void fill(const FlightSample& sample, msgs::ControllerState& message) {
+  const Telemetry& telemetry = sample.telemetry;
+  const Allocation& allocation = sample.allocation;
+  message.header.stamp = toRosTime(sample.time);
+  message.header.frame_id = kWorldFrame;
+  message.flying = sample.flying;
+  message.position = toPoint(sample.state.position);
+  message.attitude = toQuaternion(sample.state.attitude);
+  message.velocity = toVector3(sample.state.velocity);
+  message.body_rate = toVector3(sample.state.body_rate);
+  message.desired_position = toPoint(sample.set_point.position);
+  message.desired_velocity = toVector3(sample.set_point.velocity);
+  message.desired_acceleration = toVector3(sample.set_point.acceleration);
+  message.desired_yaw = sample.set_point.yaw;
+  message.desired_yaw_rate = sample.set_point.yaw_rate;
+  message.desired_attitude = toQuaternion(telemetry.desired_attitude);
+  message.position_error = toVector3(telemetry.position_error);
+  message.velocity_error = toVector3(telemetry.velocity_error);
+  message.attitude_error = toVector3(telemetry.attitude_error);
+  message.rate_error = toVector3(telemetry.rate_error);
+  message.sliding_position = toVector3(telemetry.sliding_position);
+  message.sliding_attitude = toVector3(telemetry.sliding_attitude);
+  message.force = toVector3(telemetry.force);
+  message.mass_estimate = telemetry.mass_estimate;
+  message.adaptive_values.assign(telemetry.adaptive.begin(), telemetry.adaptive.end());
+  message.thrust = allocation.requested.thrust;
+  message.moment = toVector3(allocation.requested.moment);
+  message.thrust_achieved = allocation.achieved.thrust;
+  message.moment_achieved = toVector3(allocation.achieved.moment);
+  message.saturated = allocation.saturated;
+  message.rotor_speeds.assign(allocation.speeds.begin(), allocation.speeds.end());
+}
+
+FlightSample toSample(const msgs::ControllerState& message) {
+  FlightSample sample;
+  Telemetry& telemetry = sample.telemetry;
+  Allocation& allocation = sample.allocation;
+  sample.time = toNanoseconds(message.header.stamp);
+  sample.flying = message.flying;
+  sample.state.position = toEigen(message.position);
+  sample.state.attitude = toEigen(message.attitude);
+  sample.state.velocity = toEigen(message.velocity);
+  sample.state.body_rate = toEigen(message.body_rate);
+  sample.set_point.position = toEigen(message.desired_position);
+  sample.set_point.velocity = toEigen(message.desired_velocity);
+  sample.set_point.acceleration = toEigen(message.desired_acceleration);
+  sample.set_point.yaw = message.desired_yaw;
+  sample.set_point.yaw_rate = message.desired_yaw_rate;
+  telemetry.desired_attitude = toEigen(message.desired_attitude);
+  telemetry.position_error = toEigen(message.position_error);
+  telemetry.velocity_error = toEigen(message.velocity_error);
+  telemetry.attitude_error = toEigen(message.attitude_error);
+  telemetry.rate_error = toEigen(message.rate_error);
+  telemetry.sliding_position = toEigen(message.sliding_position);
+  telemetry.sliding_attitude = toEigen(message.sliding_attitude);
+  telemetry.force = toEigen(message.force);
+  telemetry.mass_estimate = message.mass_estimate;
+  telemetry.adaptive = Eigen::Map<const Eigen::VectorXd>(
+      message.adaptive_values.data(), static_cast<Eigen::Index>(message.adaptive_values.size()));
+  allocation.requested = {message.thrust, toEigen(message.moment)};
+  allocation.achieved = {message.thrust_achieved, toEigen(message.moment_achieved)};
+  allocation.saturated = message.saturated;
+  allocation.speeds = Eigen::Map<const Eigen::VectorXd>(
+      message.rotor_speeds.data(), static_cast<Eigen::Index>(message.rotor_speeds.size()));
+  return sample;
+}
+
+const msgs::PlantStatus* addTruth(const PlantHistory& history, FlightSample& sample) {
+  const auto later = history.upper_bound(sample.time);
+  if (later == history.begin()) return nullptr;
+  const msgs::PlantStatus& truth = *std::prev(later)->second;
+  sample.payload_mass = truth.payload_mass;
+  sample.touching = truth.touching;
+  sample.disturbance = {toEigen(truth.disturbance_force), toEigen(truth.disturbance_moment)};
+  return &truth;
+}
+
+}  // namespace aqc

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Quaternion.h>
+#include <geometry_msgs/Vector3.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/time.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
+
+#include <map>
+#include <vector>
+
+#include "adaptive_quadrotor_control/ControllerState.h"
+#include "adaptive_quadrotor_control/PlantStatus.h"
+#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/reference/set_point_schedule.h"
+
+// The border between ROS messages and the core: every conversion happens here and only once.
+
+namespace aqc {
+
+// Message and service types; some share their name with a type of the core.
+namespace msgs = ::adaptive_quadrotor_control;
+
+constexpr const char* kWorldFrame = "world";     ///< W
+constexpr const char* kBodyFrame = "base_link";  ///< B
+
+inline Nanoseconds toNanoseconds(const ros::Time& time) {
+  return static_cast<Nanoseconds>(time.toNSec());
+}
+ros::Time toRosTime(Nanoseconds time);
+
+Eigen::Vector3d toEigen(const geometry_msgs::Vector3& vector);
+Eigen::Vector3d toEigen(const geometry_msgs::Point& point);
+Eigen::Quaterniond toEigen(const geometry_msgs::Quaternion& quaternion);
+geometry_msgs::Vector3 toVector3(const Eigen::Vector3d& vector);
+geometry_msgs::Point toPoint(const Eigen::Vector3d& point);
+geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& quaternion);
+
+/// Odometry has its pose in the world and its twist in the body (REP-147). The quaternion is
+/// normalised; the result may be invalid (State::valid()) when the message was.
+State toState(const nav_msgs::Odometry& odometry);
+nav_msgs::Odometry toOdometry(const State& state, Nanoseconds time);
+
+/// Set points of a trajectory that begins at `begin` (time_from_start counts from there). Absent
+/// velocities and accelerations are zero. Throws std::invalid_argument, naming the point and what
+/// is wrong with it, for a message without points, a point without transform, non-finite numbers,
+/// a rotation that is none, or times that go back.
+std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTrajectory& trajectory,
+                                       Nanoseconds begin);
+trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSetPoint>& set_points,
+                                                      Nanoseconds begin);
+
+/// Throws std::invalid_argument as above.
+SetPoint toSetPoint(const geometry_msgs::Pose& pose);
+
+/// What the controller publishes about one step, and back. Truth that only the plant knows
+/// (payload, contact) is not in it.
+void fill(const FlightSample& sample, msgs::ControllerState& message);
+FlightSample toSample(const msgs::ControllerState& message);
+
+/// What the plant published, by its time.
+using PlantHistory = std::map<Nanoseconds, msgs::PlantStatus::ConstPtr>;
+
+/// Puts what only the plant knew at the sample's time into it. Returns the status that told, the
+/// latest one not after the sample; null, and nothing is put, without one.
+const msgs::PlantStatus* addTruth(const PlantHistory& history, FlightSample& sample);
+
+}  // namespace aqc

@@ -1,0 +1,212 @@
+#include "ros/simulation/mission_node.h"
+
+#include <ros/callback_queue.h>
+#include <std_srvs/Trigger.h>
+#include <trajectory_msgs/MultiDOFJointTrajectory.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "adaptive_quadrotor_control/ActiveSubsystem.h"
+#include "adaptive_quadrotor_control/ApplyDisturbance.h"
+#include "adaptive_quadrotor_control/AttachPayload.h"
+#include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/SetBody.h"
+#include "adaptive_quadrotor_control/SetWind.h"
+#include "report/progress_bar.h"
+#include "ros/border/parameter_tree.h"
+
+namespace aqc {
+namespace {
+
+constexpr double kPatience = 30.0;  // for another node to answer [s], wall
+
+}  // namespace
+
+MissionNode::MissionNode() {
+  for (const std::string name : {"vehicle", "scenario"}) {
+    waitFor("the parameters '" + node_.resolveName(name) + "'",
+            [&] { return node_.hasParam(name); });
+  }
+  vehicle_ = readParameters(node_, "vehicle", readVehicle);
+  scenario_ = readParameters(node_, "scenario", readScenario);
+  const auto fast = ros::TransportHints().tcpNoDelay();
+  trajectory_publisher_ =
+      node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("command/trajectory", 1, true);
+  switch_publisher_ =
+      node_.advertise<msgs::ActiveSubsystem>("active_subsystem", SwitchSchedule::kMost);
+  // Unlimited queues: a lock-stepped flight outruns this node, and no sample may be missing.
+  state_subscriber_ = node_.subscribe("controller/state", 0, &MissionNode::onState, this, fast);
+  status_subscriber_ = node_.subscribe("plant/status", 0, &MissionNode::onStatus, this, fast);
+}
+
+void MissionNode::onState(const msgs::ControllerState::ConstPtr& message) {
+  state_ = message;
+  if (!collecting_) return;
+  noteRefusals();
+  FlightSample sample = toSample(*message);
+  sample.time -= begin_;
+  latest_ = sample.time;
+  const bool repeated = !samples_.empty() && samples_.back().time >= sample.time;
+  if (sample.time >= 0 && sample.time < scenario_.duration && !repeated) {
+    samples_.push_back(std::move(sample));
+  }
+}
+
+void MissionNode::onStatus(const msgs::PlantStatus::ConstPtr& message) {
+  status_ = message;
+  if (collecting_) truth_[toNanoseconds(message->header.stamp) - begin_] = message;
+}
+
+void MissionNode::waitFor(const std::string& what, const std::function<bool()>& condition) const {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (!condition()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
+    if (!ros::ok()) throw std::runtime_error("shut down while waiting for " + what);
+    if (ros::WallTime::now() > deadline) {
+      throw std::runtime_error("waited " + std::to_string(static_cast<int>(kPatience)) +
+                               " s in vain for " + what);
+    }
+  }
+}
+
+void MissionNode::sendSetPoints() {
+  trajectory_publisher_.publish([this] {
+    std::vector<TimedSetPoint> set_points = scenario_.set_points;
+    for (TimedSetPoint& timed : set_points) timed.time += begin_;
+    return toTrajectory(set_points, begin_);
+  }());
+  waitFor("the controller to accept the trajectory",
+          [this] { return state_ && toNanoseconds(state_->trajectory_stamp) == begin_; });
+}
+
+void MissionNode::sendSwitches() {
+  known_refusals_ = state_->switch_refusals;
+  if (scenario_.switches.empty() || state_->active_subsystem == 0) return;
+  waitFor("the controller to listen to " + switch_publisher_.getTopic(),
+          [this] { return switch_publisher_.getNumSubscribers() > 0; });
+  const std::size_t waiting = state_->switches_pending;
+  for (const SwitchOrder& order : scenario_.switches) {
+    msgs::ActiveSubsystem message;
+    message.header.stamp = toRosTime(begin_ + order.time);
+    message.subsystem = static_cast<std::uint8_t>(order.subsystem);
+    switch_publisher_.publish(message);
+  }
+  waitFor("the controller to accept the switches",
+          [&] { return state_->switches_pending >= waiting + scenario_.switches.size(); });
+}
+
+void MissionNode::noteRefusals() {
+  if (state_->switch_refusals == known_refusals_) return;
+  known_refusals_ = state_->switch_refusals;
+  const Nanoseconds now = toNanoseconds(state_->header.stamp);
+  refusals_.push_back(
+      {now - begin_, switchObjection(state_->refused_subsystem, state_->switch_refusal,
+                                     toNanoseconds(state_->next_switch_allowed), now, begin_)});
+}
+
+template <class Service>
+void MissionNode::call(const std::string& name, Service& service) {
+  if (!ros::service::call(node_.resolveName(name), service)) {
+    throw std::runtime_error("service '" + node_.resolveName(name) + "' does not answer");
+  }
+  if (!service.response.success) {
+    throw std::runtime_error("service '" + node_.resolveName(name) +
+                             "' refused: " + service.response.message);
+  }
+}
+
+void MissionNode::sendEvents() {
+  for (const PlantEvent& event : scenario_.events) send(event);
+}
+
+void MissionNode::send(const PlantEvent& event) {
+  const ros::Time at = toRosTime(begin_ + event.time);
+  if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
+    msgs::AttachPayload service;
+    service.request.at = at;
+    service.request.name = attach->name;
+    service.request.mass = attach->payload.mass;
+    service.request.size = toVector3(attach->payload.size);
+    service.request.offset = toVector3(attach->payload.offset);
+    service.request.inertia = toVector3(attach->payload.inertia.diagonal());
+    call("plant/attach_payload", service);
+  } else if (const auto* wind = std::get_if<SetWind>(&event.action)) {
+    msgs::SetWind service;
+    service.request.at = at;
+    service.request.velocity = toVector3(wind->velocity);
+    call("plant/set_wind", service);
+  } else if (const auto* body = std::get_if<SetBody>(&event.action)) {
+    msgs::SetBody service;
+    service.request.at = at;
+    service.request.mass = body->mass;
+    service.request.inertia = toVector3(body->inertia.diagonal());
+    call("plant/set_body", service);
+  } else if (const auto* disturbance = std::get_if<ApplyDisturbance>(&event.action)) {
+    msgs::ApplyDisturbance service;
+    service.request.at = at;
+    service.request.for_so_long.fromNSec(disturbance->duration);
+    service.request.force = toVector3(disturbance->amplitude.force);
+    service.request.moment = toVector3(disturbance->amplitude.moment);
+    service.request.angular_frequency = disturbance->angular_frequency;
+    call("plant/apply_disturbance", service);
+  } else {
+    msgs::DetachPayload service;
+    service.request.at = at;
+    call("plant/detach_payload", service);
+  }
+}
+
+void MissionNode::resume() {
+  std_srvs::Trigger service;
+  call("plant/resume", service);
+}
+
+FlightLog MissionNode::fly() {
+  waitFor("the paused plant's status", [this] { return status_ && status_->paused; });
+  waitFor("the controller's state", [this] { return state_ != nullptr; });
+  begin_ = toNanoseconds(status_->header.stamp);
+  sendSetPoints();
+  sendSwitches();
+  sendEvents();
+  if (state_->imu_lost) {
+    waitFor("the controller to hear the IMU", [this] { return !state_->imu_lost; });
+  }
+
+  collecting_ = true;
+  const ros::WallTime start = ros::WallTime::now();
+  resume();
+  ProgressBar progress("flying " + scenario_.name + " with " + state_->controller);
+  const Nanoseconds last = scenario_.duration - scenario_.control_period;
+  latest_ = -scenario_.control_period;
+  while (latest_ < last) {
+    const Nanoseconds before = latest_;
+    waitFor("the next sample of the flight", [&] { return latest_ > before; });
+    progress.update(static_cast<double>(latest_) / static_cast<double>(last));
+  }
+  const double wall_seconds = (ros::WallTime::now() - start).toSec();
+  waitFor("the plant's last status", [&] { return truth_.rbegin()->first >= last; });
+  // In lock step the plant races on: what comes now would only fill the unlimited queues, which
+  // take minutes to clear once they hold a hundred thousand messages.
+  state_subscriber_.shutdown();
+  status_subscriber_.shutdown();
+  progress.finish();
+  return takeLog(wall_seconds);
+}
+
+FlightLog MissionNode::takeLog(double wall_seconds) {
+  FlightLog log;
+  log.controller = state_->controller;
+  log.adaptive_names = state_->adaptive_names;
+  log.samples = std::move(samples_);
+  for (FlightSample& sample : log.samples) addTruth(truth_, sample);
+  log.refusals = std::move(refusals_);
+  if (status_->crashed) {
+    log.crash_time = toNanoseconds(status_->crash_time) - begin_;
+    log.crash_reason = status_->crash_reason;
+  }
+  log.real_time_factor = toSeconds(scenario_.duration) / wall_seconds;
+  return log;
+}
+
+}  // namespace aqc

@@ -1,0 +1,281 @@
+#include "ros/simulation/plant_node.h"
+
+#include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/Imu.h>
+
+#include <cmath>
+
+#include "adaptive_quadrotor_control/PlantStatus.h"
+#include "ros/border/conversions.h"
+#include "ros/border/parameter_tree.h"
+#include "ros/border/run_node.h"
+
+namespace aqc {
+namespace {
+
+// The simulated clock begins here: ROS takes zero for "no time yet".
+constexpr Nanoseconds kClockStart = 1'000'000'000;
+// Without an answer for this long, odometry is sent again: a controller that (re)starts needs it.
+constexpr double kRepeatAfter = 0.2;  // [s], wall
+// A real-time run that fell behind further than this gives the time up rather than racing after it.
+constexpr double kLongestBacklog = 0.2;  // [s], wall
+
+// For a service callback to return: it was called in order, and the answer is no.
+template <class Response>
+bool refuse(Response& response, const std::string& reason) {
+  response.success = false;
+  response.message = reason;
+  return true;
+}
+
+}  // namespace
+
+PlantNode::PlantNode()
+    : vehicle_(readParameters(node_, "vehicle", readVehicle)),
+      scenario_(readParameters(node_, "scenario", readScenario)) {
+  const ParameterReader own = parameterReader(private_node_, "");
+  lock_step_ = own.flag("lock_step", false);
+  real_time_factor_ = own.number("real_time_factor", Range::positiveUpTo(1000.0), 1.0);
+  paused_ = own.flag("start_paused", false);
+  own.finish();
+  simulated_time_ = node_.param("/use_sim_time", false);
+  if (lock_step_ && !simulated_time_) own.refuse("lock_step", "needs /use_sim_time to be true");
+  if (real_time_factor_ != 1.0 && !simulated_time_) {
+    own.refuse("real_time_factor", "other than 1 needs /use_sim_time to be true");
+  }
+
+  odometry_publisher_ = node_.advertise<nav_msgs::Odometry>("odometry", 100);
+  imu_publisher_ = node_.advertise<sensor_msgs::Imu>("imu", 100);
+  status_publisher_ = private_node_.advertise<msgs::PlantStatus>("status", 10000);
+  if (simulated_time_) clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1000);
+  restart(simulated_time_ ? kClockStart : toNanoseconds(ros::Time::now()));
+
+  command_subscriber_ = node_.subscribe("command/motor_speed", 100, &PlantNode::onCommand, this,
+                                        ros::TransportHints().tcpNoDelay());
+  services_ = {private_node_.advertiseService("attach_payload", &PlantNode::onAttach, this),
+               private_node_.advertiseService("detach_payload", &PlantNode::onDetach, this),
+               private_node_.advertiseService("set_wind", &PlantNode::onWind, this),
+               private_node_.advertiseService("set_body", &PlantNode::onBody, this),
+               private_node_.advertiseService("apply_disturbance", &PlantNode::onDisturbance, this),
+               private_node_.advertiseService("reset", &PlantNode::onReset, this),
+               private_node_.advertiseService("resume", &PlantNode::onResume, this)};
+  const double period = toSeconds(scenario_.control_period) / real_time_factor_;
+  timer_ = node_.createWallTimer(ros::WallDuration(lock_step_ ? kRepeatAfter / 4 : period),
+                                 &PlantNode::onWallTimer, this);
+  publish();
+}
+
+void PlantNode::restart(Nanoseconds start) {
+  plant_ = std::make_unique<TimedPlant>(
+      Plant(vehicle_, scenario_.start, scenario_.walls, scenario_.ground), scenario_.cargo,
+      scenario_.plant_step, start);
+  command_ = RotorArray::Zero(static_cast<Eigen::Index>(vehicle_.rotors.size()));
+  wall_start_ = last_progress_ = ros::WallTime::now();
+  run_start_ = start;
+}
+
+void PlantNode::onCommand(const msgs::Actuators::ConstPtr& message) {
+  const auto rotors = static_cast<std::size_t>(command_.size());
+  if (message->angular_velocities.size() != rotors) {
+    ROS_WARN_THROTTLE(1.0, "motor command dropped: it has %zu speeds, the vehicle %zu rotors",
+                      message->angular_velocities.size(), rotors);
+    return;
+  }
+  const bool answers_now = toNanoseconds(message->header.stamp) == plant_->now();
+  if (paused_ || (lock_step_ && !answers_now)) return;
+  command_ = Eigen::Map<const Eigen::VectorXd>(message->angular_velocities.data(), command_.size());
+  if (lock_step_) advance();
+}
+
+void PlantNode::onWallTimer(const ros::WallTimerEvent&) {
+  const ros::WallTime now = ros::WallTime::now();
+  if (paused_ || lock_step_) {
+    if ((now - last_progress_).toSec() > kRepeatAfter) publish();
+    return;
+  }
+  double behind =
+      (now - wall_start_).toSec() * real_time_factor_ - toSeconds(plant_->now() - run_start_);
+  if (behind > kLongestBacklog * real_time_factor_) {
+    wall_start_ = now;
+    run_start_ = plant_->now();
+    behind = toSeconds(scenario_.control_period);
+  }
+  for (; behind >= toSeconds(scenario_.control_period);
+       behind -= toSeconds(scenario_.control_period)) {
+    advance();
+  }
+}
+
+void PlantNode::advance() {
+  plant_->advance(command_, plant_->now() + scenario_.control_period);
+  publish();
+}
+
+void PlantNode::publish() {
+  last_progress_ = ros::WallTime::now();
+  const Nanoseconds time = plant_->now() - (paused_ ? scenario_.control_period : 0);
+  const ros::Time stamp = toRosTime(time);
+  if (simulated_time_) {
+    rosgraph_msgs::Clock clock;
+    clock.clock = stamp;
+    clock_publisher_.publish(clock);
+  }
+  publishTruth(toRosTime(plant_->now()));
+
+  const State& state = plant_->plant().state();
+  if (stamp != transform_stamp_) publishTransforms(stamp);  // tf complains about repetitions
+
+  sensor_msgs::Imu imu;
+  imu.header.stamp = stamp;
+  imu.header.frame_id = kBodyFrame;
+  imu.orientation = toQuaternion(state.attitude);
+  imu.angular_velocity = toVector3(state.body_rate);
+  imu.linear_acceleration = toVector3(plant_->plant().specificForce());
+  imu_publisher_.publish(imu);
+  odometry_publisher_.publish(toOdometry(state, time));  // last: in lock step the answer moves on
+}
+
+void PlantNode::publishTransforms(const ros::Time& stamp) {
+  transform_stamp_ = stamp;
+  const State& state = plant_->plant().state();
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = stamp;
+  transform.header.frame_id = kWorldFrame;
+  transform.child_frame_id = kBodyFrame;
+  transform.transform.translation = toVector3(state.position);
+  transform.transform.rotation = toQuaternion(state.attitude);
+  transforms_.sendTransform(transform);
+  if (const auto& payload = plant_->plant().payload()) {
+    transform.header.frame_id = kBodyFrame;
+    transform.child_frame_id = "payload";
+    transform.transform.translation = toVector3(payload->offset);
+    transform.transform.rotation = toQuaternion(Eigen::Quaterniond::Identity());
+    transforms_.sendTransform(transform);
+  }
+}
+
+void PlantNode::publishTruth(const ros::Time& stamp) {
+  const Plant& plant = plant_->plant();
+  msgs::PlantStatus status;
+  status.header.stamp = stamp;
+  status.paused = paused_;
+  status.touching = plant.touching();
+  status.crashed = plant_->crashTime().has_value();
+  status.crash_reason = toString(plant.crash());
+  if (status.crashed) status.crash_time = toRosTime(*plant_->crashTime());
+  status.payload_mass = plant.payloadMass();
+  const ForceMoment disturbance = plant_->disturbance();
+  status.disturbance_force = toVector3(disturbance.force);
+  status.disturbance_moment = toVector3(disturbance.moment);
+  status.rotor_speeds.assign(plant.rotorSpeeds().begin(), plant.rotorSpeeds().end());
+  if (const auto& payload = plant.payload()) {
+    status.payload_name = plant_->attachedName();
+    status.payload_size = toVector3(payload->size);
+    status.payload_offset = toVector3(payload->offset);
+  }
+  for (const Cargo& cargo : plant_->cargo()) {
+    status.cargo_names.push_back(cargo.name);
+    status.cargo_positions.push_back(toPoint(cargo.position));
+    status.cargo_sizes.push_back(toVector3(cargo.payload.size));
+  }
+  status.wind = toVector3(plant.wind());
+  status_publisher_.publish(status);
+}
+
+template <class Response>
+bool PlantNode::plan(const ros::Time& at, PlantAction action, Response& response) {
+  try {
+    plant_->schedule({std::max(toNanoseconds(at), plant_->now()), std::move(action)});
+    response.success = true;
+    return true;
+  } catch (const std::logic_error& error) {
+    return refuse(response, error.what());
+  }
+}
+
+bool PlantNode::onAttach(msgs::AttachPayload::Request& request,
+                         msgs::AttachPayload::Response& response) {
+  // The same checks, with the same words, as for a payload in a scenario file.
+  YAML::Node tree;
+  tree["mass"] = request.mass;
+  const auto list = [](const geometry_msgs::Vector3& v) {
+    return std::vector<double>{v.x, v.y, v.z};
+  };
+  tree["size"] = list(request.size);
+  tree["offset"] = list(request.offset);
+  if (!toEigen(request.inertia).isZero(0.0)) tree["inertia"] = list(request.inertia);
+  try {
+    AttachPayload attach{request.name, {}};
+    if (!plant_->knows(request.name))
+      attach.payload = readPayload(ParameterReader(tree, "payload"));
+    const bool now = toNanoseconds(request.at) <= plant_->now();
+    const std::string obstacle = now ? plant_->obstacle(attach) : "";
+    return obstacle.empty() ? plan(request.at, attach, response) : refuse(response, obstacle);
+  } catch (const ParameterError& error) {
+    return refuse(response, error.what());
+  }
+}
+
+bool PlantNode::onDetach(msgs::DetachPayload::Request& request,
+                         msgs::DetachPayload::Response& response) {
+  return plan(request.at, DetachPayload{}, response);
+}
+
+bool PlantNode::onWind(msgs::SetWind::Request& request, msgs::SetWind::Response& response) {
+  const Eigen::Vector3d velocity = toEigen(request.velocity);
+  if (velocity.allFinite()) return plan(request.at, SetWind{velocity}, response);
+  return refuse(response, "the wind has a number that is not finite");
+}
+
+bool PlantNode::onBody(msgs::SetBody::Request& request, msgs::SetBody::Response& response) {
+  const Eigen::Vector3d inertia = toEigen(request.inertia);
+  const bool positive = request.mass > 0.0 && inertia.minCoeff() > 0.0;
+  if (positive && std::isfinite(request.mass) && inertia.allFinite()) {
+    return plan(request.at, SetBody{request.mass, inertia.asDiagonal()}, response);
+  }
+  return refuse(response, "mass and inertia must be finite and > 0");
+}
+
+bool PlantNode::onDisturbance(msgs::ApplyDisturbance::Request& request,
+                              msgs::ApplyDisturbance::Response& response) {
+  const ApplyDisturbance disturbance{request.for_so_long.toNSec(),
+                                     {toEigen(request.force), toEigen(request.moment)},
+                                     request.angular_frequency};
+  const bool finite = disturbance.amplitude.force.allFinite() &&
+                      disturbance.amplitude.moment.allFinite() &&
+                      std::isfinite(disturbance.angular_frequency);
+  if (finite && disturbance.duration > 0 && disturbance.angular_frequency >= 0.0) {
+    return plan(request.at, disturbance, response);
+  }
+  return refuse(
+      response,
+      "force, moment and frequency must be finite, the frequency >= 0 and the duration > 0");
+}
+
+bool PlantNode::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  restart(plant_->now());  // the clock goes on: ROS time must not jump back
+  response.success = true;
+  publish();
+  return true;
+}
+
+bool PlantNode::onResume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  response.success = paused_;
+  if (!paused_) {
+    response.message = "the simulation is running already";
+    return true;
+  }
+  paused_ = false;
+  wall_start_ = ros::WallTime::now();
+  run_start_ = plant_->now();
+  publish();
+  return true;
+}
+
+}  // namespace aqc
+
+int main(int argc, char** argv) {
+  return aqc::spinNode<aqc::PlantNode>(argc, argv, "plant");
+}

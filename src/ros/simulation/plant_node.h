@@ -1,0 +1,83 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <memory>
+
+#include "adaptive_quadrotor_control/Actuators.h"
+#include "adaptive_quadrotor_control/ApplyDisturbance.h"
+#include "adaptive_quadrotor_control/AttachPayload.h"
+#include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/SetBody.h"
+#include "adaptive_quadrotor_control/SetWind.h"
+#include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+#include "ros/border/conversions.h"
+
+namespace aqc {
+
+/// The simulated vehicle in ROS: a shell around TimedPlant.
+///
+/// In: `command/motor_speed`. Out: `odometry`, `imu`, `~status`, tf world -> base_link -> payload
+/// and, with /use_sim_time, `/clock`. Services: `~attach_payload`, `~detach_payload`, `~set_wind`,
+/// `~set_body`, `~apply_disturbance`, `~reset`, `~resume`. Parameters: `vehicle`, `scenario`
+/// (start, rates), `~lock_step`, `~real_time_factor`,
+/// `~start_paused`.
+///
+/// In lock step the clock stands still until the command that answers the last odometry (the same
+/// stamp) has come: a flight is then as fast as the machine allows and the same every time.
+/// While paused, odometry of one period before the start is repeated, so that everybody connects
+/// without anything beginning.
+class PlantNode {
+ public:
+  /// Throws ParameterError.
+  PlantNode();
+
+ private:
+  void onCommand(const msgs::Actuators::ConstPtr& message);
+  void onWallTimer(const ros::WallTimerEvent& event);
+  bool onAttach(msgs::AttachPayload::Request& request, msgs::AttachPayload::Response& response);
+  bool onDetach(msgs::DetachPayload::Request& request, msgs::DetachPayload::Response& response);
+  bool onWind(msgs::SetWind::Request& request, msgs::SetWind::Response& response);
+  bool onBody(msgs::SetBody::Request& request, msgs::SetBody::Response& response);
+  bool onDisturbance(msgs::ApplyDisturbance::Request& request,
+                     msgs::ApplyDisturbance::Response& response);
+  bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool onResume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  void restart(Nanoseconds start);
+  void advance();
+  void publish();
+  void publishTransforms(const ros::Time& stamp);
+  void publishTruth(const ros::Time& stamp);
+  template <class Response>
+  bool plan(const ros::Time& at, PlantAction action, Response& response);
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_{"~"};
+  Vehicle vehicle_;
+  Scenario scenario_;
+  bool lock_step_;
+  double real_time_factor_;
+  bool simulated_time_;
+  bool paused_;
+  std::unique_ptr<TimedPlant> plant_;
+  RotorArray command_;
+  ros::WallTime last_progress_;
+  ros::WallTime wall_start_;   // of the real-time run, and
+  Nanoseconds run_start_ = 0;  // what the clock read then
+
+  ros::Publisher odometry_publisher_;
+  ros::Publisher imu_publisher_;
+  ros::Publisher clock_publisher_;
+  ros::Publisher status_publisher_;
+  tf2_ros::TransformBroadcaster transforms_;
+  ros::Time transform_stamp_;  // last sent
+  ros::Subscriber command_subscriber_;
+  std::vector<ros::ServiceServer> services_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace aqc

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "adaptive_quadrotor_control/pilot/flight_controller.h"
+#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+#include "support/fixtures.h"
+#include "support/heap_counter.h"
+
+namespace aqc {
+namespace {
+
+class AllocationFree : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test::canCountHeap()) GTEST_SKIP() << "the allocator cannot be watched here";
+  }
+  const Vehicle vehicle_ = test::pelican();
+};
+
+TEST_F(AllocationFree, CounterSeesEveryKindOfAllocation) {
+  const test::HeapCounter counter;
+  const auto number = std::make_unique<int>(1);
+  EXPECT_EQ(counter.count(), 1u);
+  const Eigen::VectorXd vector = Eigen::VectorXd::Zero(100 + *number);
+  EXPECT_EQ(counter.count(), 2u);
+  void* volatile block = std::malloc(10);
+  std::free(block);
+  EXPECT_EQ(counter.count(), 3u);
+  void* volatile zeros = std::calloc(3, 10);
+  std::free(zeros);
+  EXPECT_EQ(counter.count(), 4u);
+}
+
+TEST_F(AllocationFree, PlantStepsInTheAirAndOnTheGround) {
+  test::Dice dice(1);
+  std::vector<RotorArray> commands;
+  for (int i = 0; i < 100; ++i) commands.push_back(dice.speeds(vehicle_));
+  for (const double altitude : {0.1, 50.0}) {
+    for (const bool loaded : {false, true}) {
+      State start;
+      start.position.z() = altitude;
+      Plant plant(vehicle_, start);
+      if (loaded) plant.attach(test::box(0.5));
+      const test::HeapCounter counter;
+      for (const RotorArray& command : commands) plant.step(command, 1e-3);
+      EXPECT_EQ(counter.count(), 0u) << "at " << altitude << " m, loaded: " << loaded;
+    }
+  }
+}
+
+TEST_F(AllocationFree, ControlStepOfEveryLaw) {
+  test::Dice dice(2);
+  std::vector<State> states;
+  std::vector<SetPoint> set_points;
+  for (int i = 0; i < 200; ++i) {
+    states.push_back(dice.airborneState());
+    set_points.push_back(dice.setPoint());
+    if (i % 2 == 0) set_points.back().position = states.back().position;
+  }
+  for (const std::string& name : lawNames()) {
+    FlightController controller(vehicle_, test::lawNamed(name, vehicle_));
+    const test::HeapCounter counter;
+    controller.step(states[0], nullptr, 0.01);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      controller.step(states[i], &set_points[i], 0.01);
+    }
+    controller.step(states[0], nullptr, 0.01);
+    EXPECT_EQ(counter.count(), 0u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace aqc

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "figures/figure_script.h"
+#include "figures/plotted_flight.h"
+#include "figures/switching_figures.h"
+#include "support/fixtures.h"
+
+namespace aqc {
+namespace {
+
+TEST(Figures, EveryAdaptiveGainHasAUnit) {
+  const Vehicle vehicle = test::pelican();
+  for (const std::string& law : lawNames()) {
+    for (const std::string& name : test::lawNamed(law, vehicle)->adaptiveNames()) {
+      if (name == "active_subsystem" || name == "rho") continue;  // no gains
+      const std::string gain = name.substr(0, name.find('['));
+      EXPECT_EQ(withUnit(gain).rfind(gain + " [", 0), 0u) << law << ": " << name;
+    }
+  }
+  EXPECT_EQ(withUnit("K_p0"), "K_p0 [N]");
+  EXPECT_EQ(withUnit("of somebody else"), "of somebody else");
+}
+
+TEST(Figures, LawsKeepTheirColoursAndOthersTakeFreeOnes) {
+  const auto colours = [](const std::vector<std::string>& names) {
+    std::vector<FlightLog> logs(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) logs[i].controller = names[i];
+    return flightColours(logs);
+  };
+  EXPECT_EQ(colours({"smc", "asmc"}),
+            (std::vector<std::string>{paletteColour(1), paletteColour(0)}));
+  EXPECT_EQ(colours({"mine", "asmc", "other"}),
+            (std::vector<std::string>{paletteColour(1), paletteColour(0), paletteColour(2)}));
+}
+
+TEST(Figures, SubsystemsAreCountedInWholeNumbers) {
+  FlightLog log;
+  log.controller = "switched";
+  log.adaptive_names = {"active_subsystem"};
+  for (int i = 0; i < 100; ++i) {
+    FlightSample sample;
+    sample.time = fromSeconds(0.1 * i);
+    sample.flying = true;
+    sample.telemetry.adaptive = Eigen::Matrix<double, 1, 1>(i < 50 ? 1.0 : 2.0);
+    log.samples.push_back(sample);
+  }
+  Scenario scenario;
+  scenario.duration = fromSeconds(10.0);
+  const PlottedFlight flight = plottedFlight(log, scenario, paletteColour(0));
+  Figure frame;
+  frame.duration = 10.0;
+  const std::vector<Figure> figures = switchingFigures(flight, frame);
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_EQ(figures[0].panels[0].least_tic, 1.0);
+  const std::string script = figureScript(figures[0]);
+  EXPECT_NE(script.find("set label 200 'active subsystem'"), std::string::npos);
+  EXPECT_NE(script.find("set ytics 1\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace aqc
