@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-// The core is plain C++: no ROS, no clock, no logging, no randomness of its own. AQC_TEST_SOURCE is
-// the root of the source tree.
+#include "support/source_tree.h"
+
+// The core is plain C++: no ROS, no clock, no logging, no randomness of its own.
 namespace aqc {
 namespace {
 
@@ -38,7 +39,7 @@ std::string withoutComments(const std::string& text) {
 std::vector<Source> sources(const std::vector<std::string>& left_out) {
   std::vector<Source> all;
   for (const char* root : {"include", "src"}) {
-    const fs::path folder = fs::path(AQC_TEST_SOURCE) / root;
+    const fs::path folder = fs::path(test::sourceTree()) / root;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".hpp" && extension != ".cpp") continue;

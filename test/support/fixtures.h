@@ -13,13 +13,10 @@
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/reference/set_point.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
+#include "support/source_tree.h"
 
-/// What several tests and benchmarks share. AQC_TEST_CONFIG is the path of the folder config/.
+/// What several tests and benchmarks share.
 namespace aqc::test {
-
-inline std::string configFile(const std::string& name) {
-  return std::string(AQC_TEST_CONFIG) + "/" + name + ".yaml";
-}
 
 inline Vehicle vehicleNamed(const std::string& name) {
   return loadVehicle(configFile("vehicle/" + name));

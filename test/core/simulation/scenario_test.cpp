@@ -99,7 +99,7 @@ TEST(Scenario, PayloadsAreSolidBoxesUnlessTheirInertiaIsGiven) {
 TEST(Scenario, ReadsEveryScenarioFile) {
   int count = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(AQC_TEST_CONFIG) + "/scenario")) {
+       std::filesystem::directory_iterator(test::sourceTree() + "/config/scenario")) {
     const Scenario scenario = loadScenario(entry.path().string());
     EXPECT_EQ(scenario.name, entry.path().stem().string());
     EXPECT_NO_THROW(test::vehicleNamed(scenario.vehicle)) << scenario.name;
