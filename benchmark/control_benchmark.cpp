@@ -36,7 +36,8 @@ void controlStep(benchmark::State& state, const std::string& law) {
   std::size_t next = 0;
   for (auto _ : state) {
     const Moment& moment = moments[next];
-    benchmark::DoNotOptimize(controller.step(moment.state, &moment.set_point, 0.01).speeds.data());
+    benchmark::DoNotOptimize(
+        controller.step({moment.state}, &moment.set_point, 0.01).speeds.data());
     benchmark::ClobberMemory();
     if (++next == moments.size()) next = 0;
   }

@@ -31,20 +31,26 @@ Asmc::Loop<Count>::Loop(const ParameterReader& reader)
       gains_(readGains(reader, std::make_index_sequence<Count>())) {}
 
 template <std::size_t Count>
-Eigen::Vector3d Asmc::Loop<Count>::update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
-                                          double dt, Eigen::Vector3d& sliding) noexcept {
-  sliding = rate + slope_ * error;
-  const double xi = std::sqrt(error.squaredNorm() + rate.squaredNorm());  // ||xi||
-  double drive = sliding.norm();                                          // ||s|| ||xi||^i
+Eigen::Vector3d Asmc::Loop<Count>::output(const Eigen::Vector3d& error,
+                                          const Eigen::Vector3d& rate) noexcept {
+  sliding_ = rate + slope_ * error;
+  xi_ = std::sqrt(error.squaredNorm() + rate.squaredNorm());
   double rho = 0.0;
   double power = 1.0;  // ||xi||^i
-  for (AdaptiveGain& gain : gains_) {
+  for (const AdaptiveGain& gain : gains_) {
     rho += gain.value() * power;
-    gain.step(drive, dt);
-    power *= xi;
-    drive *= xi;
+    power *= xi_;
   }
-  return -gain_ * sliding - rho * saturate(sliding, boundary_layer_);
+  return -gain_ * sliding_ - rho * saturate(sliding_, boundary_layer_);
+}
+
+template <std::size_t Count>
+void Asmc::Loop<Count>::adapt(double dt) noexcept {
+  double drive = sliding_.norm();  // ||s|| ||xi||^i
+  for (AdaptiveGain& gain : gains_) {
+    gain.step(drive, dt);
+    drive *= xi_;
+  }
 }
 
 template <std::size_t Count>
@@ -62,26 +68,34 @@ Asmc::Asmc(const ParameterReader& reader)
       position_(reader.child("position")),
       attitude_(reader.child("attitude")),
       mass_(readMass(reader.child("mass_estimate"))) {
-  report(telemetry_);
+  report();
 }
 
-Eigen::Vector3d Asmc::force(const SetPoint&, double dt) noexcept {
-  Eigen::Vector3d force = position_.update(telemetry_.position_error, telemetry_.velocity_error, dt,
-                                           telemetry_.sliding_position);
+Eigen::Vector3d Asmc::force(const PositionErrors& errors, const SetPoint&) noexcept {
+  Eigen::Vector3d force = position_.output(errors.position, errors.velocity);
   force.z() += mass_.value() * kGravity;
-  mass_.step(-telemetry_.sliding_position.z() * kGravity, dt);  // -s_p' g_p
+  telemetry_.sliding_position = position_.sliding();
   return force;
 }
 
-Eigen::Vector3d Asmc::moment(const State&, const AttitudeErrors& errors, double dt) noexcept {
-  return attitude_.update(errors.angle, errors.rate, dt, telemetry_.sliding_attitude);
+Eigen::Vector3d Asmc::moment(const State&, const AttitudeErrors& errors) noexcept {
+  const Eigen::Vector3d moment = attitude_.output(errors.angle, errors.rate);
+  telemetry_.sliding_attitude = attitude_.sliding();
+  return moment;
+}
+
+void Asmc::adapt(const Achieved&, double dt) noexcept {
+  position_.adapt(dt);
+  attitude_.adapt(dt);
+  mass_.step(-position_.sliding().z() * kGravity, dt);  // -s_p' g_p
+  report();
 }
 
 void Asmc::reset() noexcept {
   position_.reset();
   attitude_.reset();
   mass_.reset();
-  report(telemetry_);
+  report();
 }
 
 void Asmc::adopt(const ControlLaw& old) noexcept {
@@ -93,19 +107,23 @@ void Asmc::adopt(const ControlLaw& old) noexcept {
     const double mass = old.telemetry().liftedMass();
     if (mass > mass_.value()) mass_.adopt(mass);
   }
-  report(telemetry_);
+  report();
 }
 
-std::vector<std::string> Asmc::adaptiveNames() const {
-  return {"K_p0", "K_p1", "K_q0", "K_q1", "K_q2"};
+std::vector<AdaptiveQuantity> Asmc::adaptiveQuantities() const {
+  return {{"K_p0", "N"},
+          {"K_p1", "N/\u2016\u03be\u2016"},
+          {"K_q0", "N m"},
+          {"K_q1", "N m/\u2016\u03be\u2016"},
+          {"K_q2", "N m/\u2016\u03be\u2016\u00b2"}};
 }
 
-void Asmc::report(Telemetry& telemetry) const noexcept {
-  telemetry.mass_estimate = mass_.value();
-  telemetry.adaptive.resize(5);
+void Asmc::report() noexcept {
+  telemetry_.mass_estimate = mass_.value();
+  telemetry_.adaptive.resize(5);
   Eigen::Index i = 0;
-  for (const AdaptiveGain& gain : position_.gains()) telemetry.adaptive[i++] = gain.value();
-  for (const AdaptiveGain& gain : attitude_.gains()) telemetry.adaptive[i++] = gain.value();
+  for (const AdaptiveGain& gain : position_.gains()) telemetry_.adaptive[i++] = gain.value();
+  for (const AdaptiveGain& gain : attitude_.gains()) telemetry_.adaptive[i++] = gain.value();
 }
 
 }  // namespace aqc

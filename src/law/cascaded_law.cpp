@@ -6,21 +6,22 @@ CascadedLaw::CascadedLaw(const ParameterReader& reader)
     : limits_{reader.angle("max_tilt_deg", Range::positiveUpTo(89.0)),
               reader.number("min_lift", Range::positive())} {}
 
-Wrench CascadedLaw::update(const State& state, const SetPoint& set_point, double dt) noexcept {
-  telemetry_.position_error = state.position - set_point.position;
-  telemetry_.velocity_error = state.velocity - set_point.velocity;
-  telemetry_.force = force(set_point, dt);
+Wrench CascadedLaw::command(const Sensed& sensed, const SetPoint& set_point, double) noexcept {
+  const State& state = sensed.state;
+  const PositionErrors position = {state.position - set_point.position,
+                                   state.velocity - set_point.velocity};
+  const Eigen::Vector3d force = this->force(position, set_point);
+  const Eigen::Matrix3d desired = desiredAttitude(force, set_point.yaw, limits_);
+  const AttitudeErrors attitude = attitudeErrors(state, desired, set_point.yaw_rate);
+  const Wrench wrench = {force.dot(state.attitude * Eigen::Vector3d::UnitZ()),
+                         moment(state, attitude)};
 
-  const Eigen::Matrix3d desired = desiredAttitude(telemetry_.force, set_point.yaw, limits_);
-  const AttitudeErrors errors = attitudeErrors(state, desired, set_point.yaw_rate);
+  telemetry_.position_error = position.position;
+  telemetry_.velocity_error = position.velocity;
+  telemetry_.force = force;
   telemetry_.desired_attitude = Eigen::Quaterniond(desired);
-  telemetry_.attitude_error = errors.angle;
-  telemetry_.rate_error = errors.rate;
-
-  Wrench wrench;
-  wrench.thrust = telemetry_.force.dot(state.attitude * Eigen::Vector3d::UnitZ());
-  wrench.moment = moment(state, errors, dt);
-  report(telemetry_);
+  telemetry_.attitude_error = attitude.angle;
+  telemetry_.rate_error = attitude.rate;
   return wrench;
 }
 

@@ -11,14 +11,13 @@ Geometric::Geometric(const ParameterReader& reader, const Vehicle& vehicle)
       attitude_gain_(reader.vector3("attitude_gain", Range::positive())),
       rate_gain_(reader.vector3("rate_gain", Range::positive())) {}
 
-Eigen::Vector3d Geometric::force(const SetPoint& set_point, double) noexcept {
+Eigen::Vector3d Geometric::force(const PositionErrors& errors, const SetPoint& set_point) noexcept {
   return mass_ * (set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ()) -
-         position_gain_.cwiseProduct(telemetry_.position_error) -
-         velocity_gain_.cwiseProduct(telemetry_.velocity_error);
+         position_gain_.cwiseProduct(errors.position) -
+         velocity_gain_.cwiseProduct(errors.velocity);
 }
 
-Eigen::Vector3d Geometric::moment(const State& state, const AttitudeErrors& errors,
-                                  double) noexcept {
+Eigen::Vector3d Geometric::moment(const State& state, const AttitudeErrors& errors) noexcept {
   const Eigen::Vector3d gyroscopic = state.body_rate.cross(inertia_ * state.body_rate);
   return gyroscopic - attitude_gain_.cwiseProduct(errors.angle) -
          rate_gain_.cwiseProduct(errors.rate);

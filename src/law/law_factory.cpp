@@ -1,6 +1,8 @@
 #include "adaptive_quadrotor_control/law/law_factory.h"
 
 #include <map>
+#include <type_traits>
+#include <utility>
 
 #include "adaptive_quadrotor_control/law/asmc.h"
 #include "adaptive_quadrotor_control/law/geometric.h"
@@ -12,25 +14,27 @@ namespace {
 
 using Maker = std::unique_ptr<ControlLaw> (*)(const ParameterReader&, const Vehicle&);
 
+// By a constructor that takes what it needs: the parameters, and the vehicle if it must know it.
+template <class Law>
+std::pair<const std::string, Maker> entry() {
+  return {Law::kName,
+          [](const ParameterReader& reader, const Vehicle& vehicle) -> std::unique_ptr<ControlLaw> {
+            static_cast<void>(vehicle);
+            if constexpr (std::is_constructible_v<Law, const ParameterReader&, const Vehicle&>) {
+              return std::make_unique<Law>(reader, vehicle);
+            } else {
+              return std::make_unique<Law>(reader);
+            }
+          }};
+}
+
 // To add a law: write its class in a file of its own and add its line here.
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> table = {
-      {"asmc",
-       [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<ControlLaw> {
-         return std::make_unique<Asmc>(reader);
-       }},
-      {"geometric",
-       [](const ParameterReader& reader, const Vehicle& vehicle) -> std::unique_ptr<ControlLaw> {
-         return std::make_unique<Geometric>(reader, vehicle);
-       }},
-      {"smc",
-       [](const ParameterReader& reader, const Vehicle&) -> std::unique_ptr<ControlLaw> {
-         return std::make_unique<Smc>(reader);
-       }},
-      {"switched",
-       [](const ParameterReader& reader, const Vehicle& vehicle) -> std::unique_ptr<ControlLaw> {
-         return std::make_unique<Switched>(reader, vehicle);
-       }},
+      entry<Asmc>(),
+      entry<Geometric>(),
+      entry<Smc>(),
+      entry<Switched>(),
   };
   return table;
 }

@@ -25,13 +25,13 @@ Smc::Smc(const ParameterReader& reader)
       position_(reader.child("position")),
       attitude_(reader.child("attitude")) {}
 
-Eigen::Vector3d Smc::force(const SetPoint& set_point, double) noexcept {
+Eigen::Vector3d Smc::force(const PositionErrors& errors, const SetPoint& set_point) noexcept {
   const Eigen::Vector3d feed_forward = set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ();
-  return position_.update(telemetry_.position_error, telemetry_.velocity_error, feed_forward,
+  return position_.update(errors.position, errors.velocity, feed_forward,
                           telemetry_.sliding_position);
 }
 
-Eigen::Vector3d Smc::moment(const State&, const AttitudeErrors& errors, double) noexcept {
+Eigen::Vector3d Smc::moment(const State&, const AttitudeErrors& errors) noexcept {
   return attitude_.update(errors.angle, errors.rate, Eigen::Vector3d::Zero(),
                           telemetry_.sliding_attitude);
 }

@@ -5,16 +5,17 @@
 namespace aqc {
 
 FlightController::FlightController(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law)
-    : rotors_(vehicle), law_(std::move(law)), allocation_(rotors_.allocate({})) {}
+    : rotors_(vehicle), lag_(vehicle), law_(std::move(law)), allocation_(rotors_.allocate({})) {}
 
-const Allocation& FlightController::step(const State& state, const SetPoint* set_point,
+const Allocation& FlightController::step(const Sensed& sensed, const SetPoint* set_point,
                                          double dt) noexcept {
   flying_ = set_point != nullptr;
+  allocation_ = rotors_.allocate(flying_ ? law_->command(sensed, *set_point, dt) : Wrench());
+  lag_.turn(allocation_.speeds, dt);
   if (flying_) {
-    allocation_ = rotors_.allocate(law_->update(state, *set_point, dt));
+    law_->adapt({allocation_, lag_.speeds()}, dt);
   } else {
     law_->reset();
-    allocation_ = rotors_.allocate({});
   }
   return allocation_;
 }

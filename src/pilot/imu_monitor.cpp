@@ -3,7 +3,7 @@
 namespace aqc {
 
 bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept {
-  const bool late = started_ && time < time_ && !startedAnew(time_, time);
+  const bool late = started_ && time < time_ && !startedAnew(time_, time, new_start_);
   if (!specific_force.allFinite() || late) {
     ++dropped_;
     return false;
@@ -15,7 +15,7 @@ bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) n
 }
 
 const Eigen::Vector3d* ImuMonitor::at(Nanoseconds now) noexcept {
-  const bool usable = started_ && now - time_ <= kOldest && !startedAnew(time_, now);
+  const bool usable = started_ && now - time_ <= oldest_ && !startedAnew(time_, now, new_start_);
   if (usable_ && !usable) ++losses_;
   usable_ = usable;
   return usable ? &specific_force_ : nullptr;

@@ -6,7 +6,8 @@
 
 namespace aqc {
 
-StepClock::StepClock(Nanoseconds period, Trigger trigger) : period_(period), trigger_(trigger) {
+StepClock::StepClock(Nanoseconds period, Trigger trigger, const ClockLimits& limits)
+    : period_(period), trigger_(trigger), limits_(limits) {
   if (period <= 0) {
     throw std::invalid_argument("the control period is " + std::to_string(period) +
                                 " ns; it must be > 0");
@@ -14,11 +15,11 @@ StepClock::StepClock(Nanoseconds period, Trigger trigger) : period_(period), tri
 }
 
 StepClock::Answer StepClock::hear(Nanoseconds stamp, bool imu_awaited) noexcept {
-  if (odometry_time_ && startedAnew(*odometry_time_, stamp)) {
+  if (odometry_time_ && startedAnew(*odometry_time_, stamp, limits_.new_start)) {
     confirmed_ = confirmed_ > 0 && stamp >= new_time_ ? confirmed_ + 1 : 1;
     new_time_ = stamp;
-    if (confirmed_ < kConfirming) return Answer::kDrop;
-    *this = StepClock(period_, trigger_);
+    if (confirmed_ < limits_.confirmations) return Answer::kDrop;
+    *this = StepClock(period_, trigger_, limits_);
     return Answer::kRestart;
   }
   confirmed_ = 0;

@@ -9,47 +9,32 @@ ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
                        std::unique_ptr<ControlLaw> law)
     : plant_(Plant(vehicle, scenario.start, scenario.walls, scenario.ground), scenario.cargo,
              scenario.plant_step),
-      controller_(vehicle, std::move(law)),
-      schedule_(scenario.set_points),
+      pilot_(vehicle, std::move(law), scenario.control_period, StepClock::Trigger::kOdometry),
       period_(scenario.control_period),
       duration_(scenario.duration) {
   for (const PlantEvent& event : scenario.events) plant_.schedule(event);
-  for (const SwitchOrder& order : scenario.switches) switches_.plan(order);
-}
-
-void ClosedLoop::switchSubsystem() {
-  SubsystemSwitch* subsystems = controller_.subsystems();
-  if (subsystems == nullptr) return;
-  while (const auto report = switches_.next(*subsystems, plant_.now())) {
-    if (!report->objected()) continue;
-    const std::string outcome = toString(report->verdict.outcome);
-    objections_.push_back({report->time, switchObjection(report->order.subsystem, outcome,
-                                                         report->allowed, report->time, 0)});
-  }
+  for (const SwitchOrder& order : scenario.switches) pilot_.order(order);
+  pilot_.plan(scenario.set_points, plant_.now(), plant_.now());
 }
 
 void ClosedLoop::advance() {
-  const SetPoint* set_point = schedule_.at(plant_.now());
-  last_.time = plant_.now();
-  last_.state = plant_.plant().state();
-  last_.flying = set_point != nullptr;
-  if (last_.flying) last_.set_point = *set_point;
-  last_.touching = plant_.plant().touching();
-  last_.payload_mass = plant_.plant().payloadMass();
-  last_.disturbance = plant_.disturbance();
+  const Nanoseconds now = plant_.now();
+  truth_ = {now, plant_.plant().payloadMass(), plant_.plant().touching(), plant_.disturbance()};
 
-  switchSubsystem();
-  if (controller_.law().needsImu()) {
-    controller_.senseSpecificForce(plant_.plant().specificForce());
+  if (pilot_.law().usesSpecificForce()) pilot_.hear(plant_.plant().specificForce(), now);
+  pilot_.hear(plant_.plant().state(), now, now);
+  for (const SwitchReport& report : pilot_.objections()) {
+    objections_.push_back({report.time, switchObjection(report, 0)});
   }
-  const Allocation& allocation = controller_.step(last_.state, set_point, toSeconds(period_));
-  plant_.advance(allocation.speeds, std::min(plant_.now() + period_, duration_));
+  plant_.advance(pilot_.allocation().speeds, std::min(now + period_, duration_));
 }
 
 FlightSample ClosedLoop::sample() const {
-  FlightSample sample = last_;
-  sample.telemetry = controller_.law().telemetry();
-  sample.allocation = controller_.allocation();
+  FlightSample sample = pilot_.sample();
+  sample.time = truth_.time;
+  sample.payload_mass = truth_.payload_mass;
+  sample.touching = truth_.touching;
+  sample.disturbance = truth_.disturbance;
   return sample;
 }
 
@@ -58,8 +43,10 @@ FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::strin
   ClosedLoop loop(scenario, vehicle, std::move(law));
   FlightLog log;
   log.controller = controller_name;
-  log.adaptive_names = loop.controller().law().adaptiveNames();
-  if (const SubsystemSwitch* subsystems = loop.controller().subsystems()) {
+  for (const AdaptiveQuantity& quantity : loop.pilot().law().adaptiveQuantities()) {
+    log.adaptive_names.push_back(quantity.name);
+  }
+  if (const SubsystemSwitch* subsystems = loop.pilot().law().subsystems()) {
     log.dwell_time = subsystems->text();
   }
   while (!loop.done()) {

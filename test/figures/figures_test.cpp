@@ -11,10 +11,10 @@ namespace {
 TEST(Figures, EveryAdaptiveGainHasAUnit) {
   const Vehicle vehicle = test::pelican();
   for (const std::string& law : lawNames()) {
-    for (const std::string& name : test::lawNamed(law, vehicle)->adaptiveNames()) {
-      if (name == "active_subsystem" || name == "rho") continue;  // no gains
-      const std::string gain = name.substr(0, name.find('['));
-      EXPECT_EQ(withUnit(gain).rfind(gain + " [", 0), 0u) << law << ": " << name;
+    for (const auto& quantity : test::lawNamed(law, vehicle)->adaptiveQuantities()) {
+      if (quantity.name == "active_subsystem" || quantity.name == "rho") continue;  // no gains
+      const std::string gain = quantity.name.substr(0, quantity.name.find('['));
+      EXPECT_EQ(withUnit(gain), gain + " [" + quantity.unit + "]") << law;
     }
   }
   EXPECT_EQ(withUnit("K_p0"), "K_p0 [N]");

@@ -72,8 +72,9 @@ class Lift {
     set_point.position.z() = 2.0 + std::sin(0.1 * time);
     set_point.velocity.z() = 0.1 * std::cos(0.1 * time);
     set_point.acceleration.z() = -0.01 * std::sin(0.1 * time);
-    if (time > 0.0) law_->senseSpecificForce(test::specificForce(state, acceleration_));
-    input_ = test::toInput(law_->update(state, set_point, 1.0 / timing_.rate), arm_length_);
+    Sensed sensed = {state};
+    if (time > 0.0) sensed.specific_force = test::specificForce(state, acceleration_);
+    input_ = test::toInput(test::step(*law_, sensed, set_point, 1.0 / timing_.rate), arm_length_);
     measure(time);
   }
 

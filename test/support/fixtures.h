@@ -30,6 +30,14 @@ inline std::unique_ptr<ControlLaw> lawNamed(const std::string& name, const Vehic
   return loadLaw(configFile("controller/" + name), vehicle);
 }
 
+/// One whole step of a law alone, as if the rotors gave just what it asks for.
+inline Wrench step(ControlLaw& law, const Sensed& sensed, const SetPoint& set_point, double dt) {
+  Allocation allocation;
+  allocation.requested = allocation.achieved = law.command(sensed, set_point, dt);
+  law.adapt({allocation, allocation.speeds}, dt);
+  return allocation.requested;
+}
+
 /// A solid box whose top touches the origin of B.
 inline Payload box(double mass, double edge = 0.1) {
   Payload payload;

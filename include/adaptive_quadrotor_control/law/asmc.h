@@ -17,17 +17,20 @@ class Asmc final : public CascadedLaw {
   /// Names and meaning: config/controller/asmc.yaml. Throws ParameterError.
   explicit Asmc(const ParameterReader& reader);
 
+  void adapt(const Achieved& achieved, double dt) noexcept override;
   void reset() noexcept override;
   /// From an asmc all gains and m-hat; from another law m-hat alone, its liftedMass(), unless the
   /// initial one is larger.
   void adopt(const ControlLaw& old) noexcept override;
-  std::vector<std::string> adaptiveNames() const override;
+  std::unique_ptr<ControlLaw> clone() const override { return std::make_unique<Asmc>(*this); }
+  const char* name() const noexcept override { return kName; }
+  static constexpr const char* kName = "asmc";
+  std::vector<AdaptiveQuantity> adaptiveQuantities() const override;
 
  private:
-  Eigen::Vector3d force(const SetPoint& set_point, double dt) noexcept override;
-  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors,
-                         double dt) noexcept override;
-  void report(Telemetry& telemetry) const noexcept override;
+  Eigen::Vector3d force(const PositionErrors& errors, const SetPoint& set_point) noexcept override;
+  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors) noexcept override;
+  void report() noexcept;
 
   // One loop's law without its feed-forward: -Lambda s - rho sat(s, varpi), where
   // rho = sum_i K_i ||xi||^i and each K_i adapts with ||s|| ||xi||^i.
@@ -35,10 +38,11 @@ class Asmc final : public CascadedLaw {
   class Loop {
    public:
     explicit Loop(const ParameterReader& reader);
-    Eigen::Vector3d update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate, double dt,
-                           Eigen::Vector3d& sliding) noexcept;
+    Eigen::Vector3d output(const Eigen::Vector3d& error, const Eigen::Vector3d& rate) noexcept;
+    void adapt(double dt) noexcept;
     void reset() noexcept;
     void adopt(const Loop& old) noexcept;
+    const Eigen::Vector3d& sliding() const noexcept { return sliding_; }
     const std::array<AdaptiveGain, Count>& gains() const noexcept { return gains_; }
 
    private:
@@ -46,6 +50,9 @@ class Asmc final : public CascadedLaw {
     Eigen::Matrix3d gain_;                   // Lambda
     double boundary_layer_;                  // varpi
     std::array<AdaptiveGain, Count> gains_;  // K_i
+    // Of the last output(), for adapt().
+    Eigen::Vector3d sliding_ = Eigen::Vector3d::Zero();  // s
+    double xi_ = 0.0;                                    // ||xi||
   };
 
   Loop<2> position_;

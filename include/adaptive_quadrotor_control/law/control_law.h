@@ -4,9 +4,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/model/rotor_allocation.h"
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/reference/set_point.h"
 
@@ -30,7 +33,7 @@ struct Telemetry {
   Eigen::Quaterniond desired_attitude = Eigen::Quaterniond::Identity();  ///< R_d
   /// m-hat [kg]; not-a-number when the law estimates no mass.
   double mass_estimate = std::numeric_limits<double>::quiet_NaN();
-  /// In the order of ControlLaw::adaptiveNames().
+  /// In the order of ControlLaw::adaptiveQuantities().
   AdaptiveValues adaptive;
 
   /// The mass [kg] that is estimated or, without an estimate, the one that the vertical force
@@ -40,46 +43,85 @@ struct Telemetry {
   }
 };
 
+/// How long ago the parts of Sensed were measured [s], >= 0.
+struct Ages {
+  double pose = 0.0;  ///< position, velocity and attitude
+  double body_rate = 0.0;
+  double specific_force = 0.0;
+};
+
+/// What is known of the vehicle when a command is due.
+struct Sensed {
+  State state = {};  ///< as it was measured, not predicted to now
+  /// What an accelerometer at the origin of B read, in B [m/s^2]: the force but gravity on a unit
+  /// of mass. Nothing when there is none, or none that is young enough to be used.
+  std::optional<Eigen::Vector3d> specific_force = std::nullopt;
+  Ages ages = {};
+};
+
+/// What became of a command.
+struct Achieved {
+  const Allocation& allocation;  ///< what was asked for, what the rotors are told, what that gives
+  const RotorArray& rotor_speeds;  ///< where they are predicted to be when the command ends [rad/s]
+};
+
+/// One of the numbers that a law adapts.
+struct AdaptiveQuantity {
+  std::string name;  ///< with its symbol, e.g. "K_p0"
+  std::string unit;  ///< e.g. "N"; empty for a count
+};
+inline bool operator==(const AdaptiveQuantity& a, const AdaptiveQuantity& b) {
+  return a.name == b.name && a.unit == b.unit;
+}
+inline bool operator!=(const AdaptiveQuantity& a, const AdaptiveQuantity& b) {
+  return !(a == b);
+}
+
 /// A control law: from where the vehicle is and should be to what the rotors should do together.
 ///
 /// Value-like: all state is inside, time comes in as `dt`, the same calls give the same bits.
-/// update() and reset() neither allocate, block, log nor throw.
+/// command(), adapt(), reset() and adopt() neither allocate, block, log nor throw.
 class ControlLaw {
  public:
   virtual ~ControlLaw() = default;
 
-  /// One step of `dt` seconds (> 0): the wrench to hold until the next step. `state` and
-  /// `set_point` must be valid().
-  virtual Wrench update(const State& state, const SetPoint& set_point, double dt) noexcept = 0;
+  /// The wrench to hold for the next `dt` seconds (> 0). `sensed.state` and `set_point` must be
+  /// valid(). Every command is followed by adapt() before the next one.
+  virtual Wrench command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept = 0;
+
+  /// Learns from the last command over the `dt` seconds for which it holds, knowing what the rotors
+  /// could give of it.
+  virtual void adapt(const Achieved& achieved, double dt) noexcept = 0;
 
   /// Adaptive quantities back to their initial values.
   virtual void reset() noexcept = 0;
 
   /// Takes over in flight from `old`, which made the last step; called instead of reset(), between
-  /// two steps. A law of the same kind carries its adaptive quantities on; another one starts from
-  /// what the old law's command tells it (a law that adapts a mass: the one it carries now). Laws
-  /// that adapt nothing have nothing to do.
+  /// two steps (bumpless transfer). A law of the same kind carries its adaptive quantities on;
+  /// another one starts from what the old law's command tells it (a law that adapts a mass: the one
+  /// it carries now). Laws that adapt nothing have nothing to do.
   virtual void adopt(const ControlLaw& old) noexcept { static_cast<void>(old); }
 
-  /// What an accelerometer at the origin of B read last, in B [m/s^2]: the force but gravity on a
-  /// unit of mass. Laws that use none ignore it; those that do hold it until the next one comes and
-  /// do without until the first. Whoever feeds it watches its age: see forgetSpecificForce().
-  virtual void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
-    static_cast<void>(specific_force);
-  }
-  /// The accelerometer has fallen silent: the sample that is held must not be used any more.
-  virtual void forgetSpecificForce() noexcept {}
-  /// Whether the law is meant to be fed by senseSpecificForce().
-  virtual bool needsImu() const noexcept { return false; }
+  /// A law of its own in the same state; allocates.
+  virtual std::unique_ptr<ControlLaw> clone() const = 0;
+
+  /// The name under which the factory makes it: the parameter `law`.
+  virtual const char* name() const noexcept = 0;
+
+  /// Whether the law makes use of Sensed::specific_force. Every law must do without.
+  virtual bool usesSpecificForce() const noexcept { return false; }
 
   /// The switching signal of a law with several subsystems, owned by the law; null for others.
   virtual SubsystemSwitch* subsystems() noexcept { return nullptr; }
+  const SubsystemSwitch* subsystems() const noexcept {
+    return const_cast<ControlLaw*>(this)->subsystems();  // to look at
+  }
 
-  /// Of the last update().
+  /// Of the last command() and adapt().
   virtual const Telemetry& telemetry() const noexcept = 0;
 
-  /// Names of Telemetry::adaptive with their symbols, e.g. "K_p0"; may allocate.
-  virtual std::vector<std::string> adaptiveNames() const = 0;
+  /// What stands in Telemetry::adaptive; may allocate.
+  virtual std::vector<AdaptiveQuantity> adaptiveQuantities() const { return {}; }
 };
 
 }  // namespace aqc

@@ -12,14 +12,15 @@ class Geometric final : public CascadedLaw {
   /// Names and meaning: config/controller/geometric.yaml. Throws ParameterError.
   Geometric(const ParameterReader& reader, const Vehicle& vehicle);
 
+  void adapt(const Achieved&, double) noexcept override {}
   void reset() noexcept override {}
-  std::vector<std::string> adaptiveNames() const override { return {}; }
+  std::unique_ptr<ControlLaw> clone() const override { return std::make_unique<Geometric>(*this); }
+  const char* name() const noexcept override { return kName; }
+  static constexpr const char* kName = "geometric";
 
  private:
-  Eigen::Vector3d force(const SetPoint& set_point, double dt) noexcept override;
-  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors,
-                         double dt) noexcept override;
-  void report(Telemetry&) const noexcept override {}
+  Eigen::Vector3d force(const PositionErrors& errors, const SetPoint& set_point) noexcept override;
+  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors) noexcept override;
 
   double mass_;                    // [kg]
   Eigen::Matrix3d inertia_;        // [kg m^2]

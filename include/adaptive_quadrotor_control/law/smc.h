@@ -14,14 +14,15 @@ class Smc final : public CascadedLaw {
   /// Names and meaning: config/controller/smc.yaml. Throws ParameterError.
   explicit Smc(const ParameterReader& reader);
 
+  void adapt(const Achieved&, double) noexcept override {}
   void reset() noexcept override {}
-  std::vector<std::string> adaptiveNames() const override { return {}; }
+  std::unique_ptr<ControlLaw> clone() const override { return std::make_unique<Smc>(*this); }
+  const char* name() const noexcept override { return kName; }
+  static constexpr const char* kName = "smc";
 
  private:
-  Eigen::Vector3d force(const SetPoint& set_point, double dt) noexcept override;
-  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors,
-                         double dt) noexcept override;
-  void report(Telemetry&) const noexcept override {}
+  Eigen::Vector3d force(const PositionErrors& errors, const SetPoint& set_point) noexcept override;
+  Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors) noexcept override;
 
   struct Loop {
     explicit Loop(const ParameterReader& reader);

@@ -23,8 +23,9 @@ inline double toSeconds(Nanoseconds time) {
 constexpr Nanoseconds kNewStart = 1'000'000'000;
 
 /// Whether a clock that showed `before` and shows `now` was started anew in between.
-inline bool startedAnew(Nanoseconds before, Nanoseconds now) noexcept {
-  return before - now > kNewStart;
+inline bool startedAnew(Nanoseconds before, Nanoseconds now,
+                        Nanoseconds new_start = kNewStart) noexcept {
+  return before - now > new_start;
 }
 
 }  // namespace aqc

@@ -4,11 +4,12 @@
 
 #include "adaptive_quadrotor_control/law/control_law.h"
 #include "adaptive_quadrotor_control/model/rotor_allocation.h"
+#include "adaptive_quadrotor_control/model/rotor_lag.h"
 
 namespace aqc {
 
-/// From state and set point to rotor speeds: a control law and the allocation behind it. This is
-/// the whole control step; the nodelet, the offline flight and the benchmark all run this class.
+/// From what is sensed and wanted to rotor speeds: a control law, the allocation behind it, and the
+/// rotors' lag. This is the whole control step; whoever flies, flies this class.
 class FlightController {
  public:
   /// `law` must not be null.
@@ -16,21 +17,14 @@ class FlightController {
 
   /// One step of `dt` seconds (> 0). Without a set point (null) the rotors stand still and the
   /// adaptive quantities are put back to their initial values. Allocates nothing, never throws.
-  const Allocation& step(const State& state, const SetPoint* set_point, double dt) noexcept;
+  const Allocation& step(const Sensed& sensed, const SetPoint* set_point, double dt) noexcept;
 
   /// Swaps the law between two steps. The new one adopts what the old one knew and, unless flying,
   /// is reset then. The old law comes back, so that it need not die here.
   std::unique_ptr<ControlLaw> replaceLaw(std::unique_ptr<ControlLaw> law) noexcept;
 
-  /// What an accelerometer at the origin of B read last, in B [m/s^2]; for laws that need it.
-  void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
-    law_->senseSpecificForce(specific_force);
-  }
-  /// The accelerometer has fallen silent.
-  void forgetSpecificForce() noexcept { law_->forgetSpecificForce(); }
   /// The switching signal of a law with several subsystems; null for others.
   SubsystemSwitch* subsystems() noexcept { return law_->subsystems(); }
-  const SubsystemSwitch* subsystems() const noexcept { return law_->subsystems(); }
 
   /// Whether the last step had a set point.
   bool flying() const noexcept { return flying_; }
@@ -40,6 +34,7 @@ class FlightController {
 
  private:
   RotorAllocation rotors_;
+  RotorLag lag_;
   std::unique_ptr<ControlLaw> law_;
   Allocation allocation_;
   bool flying_ = false;  // the last step had a set point

@@ -10,21 +10,29 @@ namespace aqc {
 /// samples themselves and of the odometry they go with; there is no clock in it.
 class ImuMonitor {
  public:
-  static constexpr Nanoseconds kOldest = 100'000'000;  ///< usable behind the odometry [ns]
+  static constexpr Nanoseconds kOldest = 100'000'000;  // [ns]
+
+  /// A sample is usable until it is `oldest` behind the odometry; one that goes back by more than
+  /// `new_start` is of a clock that was started anew [ns].
+  explicit ImuMonitor(Nanoseconds oldest = kOldest, Nanoseconds new_start = kNewStart)
+      : oldest_(oldest), new_start_(new_start) {}
 
   /// A sample in B [m/s^2]. False, and it is dropped and counted, when it is not finite or older
-  /// than the one before, unless so much that the clock was started anew (startedAnew()).
+  /// than the one before, unless so much that the clock was started anew.
   bool take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept;
 
-  /// What goes with odometry of the time `now`: null when the latest sample is older than kOldest,
+  /// What goes with odometry of the time `now`: null when the latest sample is older than usable,
   /// when it is of the time before a new start, or when none has ever come. A loss is counted once,
   /// when usable() turns false.
   const Eigen::Vector3d* at(Nanoseconds now) noexcept;
 
   /// Whether a sample not older than `now` has come.
   bool covers(Nanoseconds now) const noexcept {
-    return started_ && time_ >= now && !startedAnew(time_, now);
+    return started_ && time_ >= now && !startedAnew(time_, now, new_start_);
   }
+  /// Whether odometry of the time `now` should wait for its sample: one is coming, as far as
+  /// anybody knows, and is not here yet.
+  bool awaits(Nanoseconds now) const noexcept { return usable_ && !covers(now); }
   /// Whether the last at() gave a sample.
   bool usable() const noexcept { return usable_; }
   Nanoseconds time() const noexcept { return time_; }  ///< of the latest sample
@@ -32,6 +40,8 @@ class ImuMonitor {
   long losses() const noexcept { return losses_; }
 
  private:
+  Nanoseconds oldest_;
+  Nanoseconds new_start_;
   Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
   Nanoseconds time_ = 0;
   bool started_ = false;

@@ -6,6 +6,12 @@
 
 namespace aqc {
 
+/// When a clock counts as started anew.
+struct ClockLimits {
+  Nanoseconds new_start = kNewStart;  ///< it goes back by more than this [ns]
+  int confirmations = 10;             ///< and so many stamps in a row say so
+};
+
 /// Decides when a controller that is fed by messages makes a step, and how long a step it is.
 ///
 /// There is no clock in it: time is what the stamps of the messages and the caller say. Nothing but
@@ -29,10 +35,8 @@ class StepClock {
     kStep,     ///< a step now
   };
 
-  static constexpr int kConfirming = 10;
-
   /// `period` [ns] is that of the steps; throws std::invalid_argument unless it is > 0.
-  StepClock(Nanoseconds period, Trigger trigger);
+  StepClock(Nanoseconds period, Trigger trigger, const ClockLimits& limits = {});
 
   /// What to do about odometry stamped `stamp`. `imu_awaited` says whether an IMU sample of that
   /// time is expected and has not arrived.
@@ -45,10 +49,10 @@ class StepClock {
   /// With kTimer only the same stamp again makes a step, while nothing flies: a paused simulation
   /// repeats its odometry with its clock, and so the timer, standing still.
   ///
-  /// Stamps that go back so far that their clock was started anew (startedAnew() of time.h) are
-  /// dropped until kConfirming of them came in a row, none behind the one before: a flight must
-  /// not end because of one message with a wrong stamp, or a second source of another time. The
-  /// last of them gets kRestart; nothing of the old time is left then, and any stamp is the first.
+  /// Stamps that go back so far that their clock was started anew are dropped until as many as
+  /// the limits ask for came in a row, none behind the one before: a flight must not end because of
+  /// one message with a wrong stamp, or a second source of another time. The last of them gets
+  /// kRestart; nothing of the old time is left then, and any stamp is the first.
   Answer hear(Nanoseconds stamp, bool imu_awaited) noexcept;
 
   /// Begins a step at `now`, which ends the waiting; `flying` tells whether it has a set point.
@@ -67,6 +71,7 @@ class StepClock {
  private:
   Nanoseconds period_;
   Trigger trigger_;
+  ClockLimits limits_;
   std::optional<Nanoseconds> odometry_time_;
   std::optional<Nanoseconds> last_step_;
   Nanoseconds new_time_ = 0;  // the last stamp of a clock that may have been started anew

@@ -4,15 +4,16 @@
 #include <memory>
 
 #include "adaptive_quadrotor_control/flight/flight_log.h"
-#include "adaptive_quadrotor_control/pilot/flight_controller.h"
+#include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
 namespace aqc {
 
-/// A scenario flown without ROS: plant and controller in one loop, the controller at its rate with
-/// the state of this very instant, the rotor speeds held until its next step.
+/// A scenario flown without ROS: plant and pilot in one loop, the pilot fed at the control rate
+/// with the state of this very instant, the rotor speeds held until its next step.
 class ClosedLoop {
  public:
+  /// Throws std::invalid_argument for a plant step that TimedPlant refuses.
   ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<ControlLaw> law);
 
   bool done() const noexcept { return plant_.now() >= duration_; }
@@ -24,19 +25,23 @@ class ClosedLoop {
   /// Switches refused, or done against the dwell time, so far.
   const std::vector<TimedPlant::Refusal>& objections() const noexcept { return objections_; }
   const TimedPlant& plant() const noexcept { return plant_; }
-  const FlightController& controller() const noexcept { return controller_; }
+  const Pilot& pilot() const noexcept { return pilot_; }
 
  private:
-  void switchSubsystem();
+  // What only the plant knows about the time of a control step.
+  struct Truth {
+    Nanoseconds time = 0;
+    double payload_mass = 0.0;
+    bool touching = false;
+    ForceMoment disturbance;
+  };
 
   TimedPlant plant_;
-  FlightController controller_;
-  SwitchSchedule switches_;
+  Pilot pilot_;
   std::vector<TimedPlant::Refusal> objections_;
-  SetPointSchedule schedule_;
   Nanoseconds period_;
   Nanoseconds duration_;
-  FlightSample last_;
+  Truth truth_;
 };
 
 /// Flies the scenario to its end. `progress` (may be empty) is told the share flown, 0 to 1.

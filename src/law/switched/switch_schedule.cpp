@@ -31,6 +31,11 @@ void SwitchSchedule::clear() noexcept {
   next_ = 0;
 }
 
+std::string switchObjection(const SwitchReport& report, Nanoseconds origin) {
+  return switchObjection(report.order.subsystem, toString(report.verdict.outcome), report.allowed,
+                         report.time, origin);
+}
+
 std::string switchObjection(int subsystem, const std::string& outcome, Nanoseconds allowed,
                             Nanoseconds now, Nanoseconds origin) {
   std::ostringstream out;

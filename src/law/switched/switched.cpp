@@ -14,10 +14,6 @@ static_assert(kMaxSubsystems * kValuesPerSubsystem + 2 <= kMaxAdaptive, "telemet
 
 const double kLeastCosine = std::cos(Switched::kSteepest);
 
-SwitchedOutput idle() noexcept {
-  return {Eigen::Vector4d::Zero(), 0.0, Eigen::Vector4d::Zero()};
-}
-
 // Roll, pitch, yaw and the matrix that turns body rates into their derivatives.
 struct EulerKinematics {
   Eigen::Vector3d angles;  // (phi, theta, psi) [rad]
@@ -47,10 +43,12 @@ Switched::Switched(const ParameterReader& reader, const Vehicle& vehicle)
       switch_(readSubsystemSwitch(reader, law_)),
       velocity_slope_(reader.number("acceleration_cut_off", Range::positive())),
       rate_slope_(reader.number("acceleration_cut_off", Range::positive())) {
-  report(idle());
+  out_ = {};
+  report();
 }
 
-SwitchedInput Switched::sense(const State& state, const SetPoint& set_point, double dt) noexcept {
+SwitchedInput Switched::sense(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept {
+  const State& state = sensed.state;
   const Eigen::Matrix3d R = state.attitude.toRotationMatrix();
   const EulerKinematics euler = eulerKinematics(R);
   telemetry_.position_error = state.position - set_point.position;
@@ -64,7 +62,9 @@ SwitchedInput Switched::sense(const State& state, const SetPoint& set_point, dou
   velocity_slope_.step(state.velocity, dt);
   rate_slope_.step(state.body_rate, dt);
   Eigen::Vector3d linear = velocity_slope_.value();
-  if (specific_force_) linear = R * *specific_force_ - kGravity * Eigen::Vector3d::UnitZ();
+  if (sensed.specific_force) {
+    linear = R * *sensed.specific_force - kGravity * Eigen::Vector3d::UnitZ();
+  }
   const Eigen::Vector3d angular = euler.rate_matrix * rate_slope_.value();
 
   SwitchedInput in;
@@ -75,21 +75,25 @@ SwitchedInput Switched::sense(const State& state, const SetPoint& set_point, dou
   return in;
 }
 
-Wrench Switched::update(const State& state, const SetPoint& set_point, double dt) noexcept {
-  const SwitchedInput in = sense(state, set_point, dt);
-  const int active = switch_.active() - 1;
-  const SwitchedOutput out = law_.output(active, in);
-  law_.adapt(active, in, out.filtered_error.norm(), dt);
-  telemetry_.force = out.input[0] * (state.attitude * Eigen::Vector3d::UnitZ());
-  report(out);
-  return {out.input[0], {arm_length_ * out.input[1], arm_length_ * out.input[2], out.input[3]}};
+Wrench Switched::command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept {
+  in_ = sense(sensed, set_point, dt);
+  out_ = law_.output(switch_.active() - 1, in_);
+  const Eigen::Vector4d& input = out_.input;
+  telemetry_.force = input[0] * (sensed.state.attitude * Eigen::Vector3d::UnitZ());
+  return {input[0], {arm_length_ * input[1], arm_length_ * input[2], input[3]}};
+}
+
+void Switched::adapt(const Achieved&, double dt) noexcept {
+  law_.adapt(switch_.active() - 1, in_, out_.filtered_error.norm(), dt);
+  report();
 }
 
 void Switched::reset() noexcept {
   law_.reset();
   velocity_slope_.reset();
   rate_slope_.reset();
-  report(idle());
+  out_ = {};
+  report();
 }
 
 void Switched::adopt(const ControlLaw& old) noexcept {
@@ -99,29 +103,32 @@ void Switched::adopt(const ControlLaw& old) noexcept {
   switch_.adopt(same->switch_);
   velocity_slope_.adopt(same->velocity_slope_);
   rate_slope_.adopt(same->rate_slope_);
-  specific_force_ = same->specific_force_;
-  report(idle());
+  out_ = {};
+  report();
 }
 
-void Switched::senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept {
-  if (specific_force.allFinite()) specific_force_ = specific_force;
-}
-
-std::vector<std::string> Switched::adaptiveNames() const {
-  std::vector<std::string> names;
+std::vector<AdaptiveQuantity> Switched::adaptiveQuantities() const {
+  // Inside D (...) stand accelerations: of z [m/s^2] and of the angles [rad/s^2].
+  const AdaptiveQuantity each[kValuesPerSubsystem] = {
+      {"theta_0", "m/s\u00b2"},
+      {"theta_1", "m/s\u00b2/\u2016\u03be\u2016"},
+      {"theta_2", "m/s\u00b2/\u2016\u03be\u2016\u00b2"},
+      {"theta_3", "1"},
+      {"zeta", "m/s\u00b2"},
+      {"gamma", "m/s\u00b2"}};
+  std::vector<AdaptiveQuantity> all;
   for (int i = 1; i <= law_.count(); ++i) {
-    const std::string index = "[" + std::to_string(i) + "]";
-    for (const char* name : {"theta_0", "theta_1", "theta_2", "theta_3", "zeta", "gamma"}) {
-      names.push_back(name + index);
+    for (const AdaptiveQuantity& quantity : each) {
+      all.push_back({quantity.name + "[" + std::to_string(i) + "]", quantity.unit});
     }
   }
-  names.insert(names.end(), {"active_subsystem", "rho"});
-  return names;
+  all.insert(all.end(), {{"active_subsystem", ""}, {"rho", "m/s\u00b2"}});
+  return all;
 }
 
-void Switched::report(const SwitchedOutput& out) noexcept {
-  telemetry_.sliding_position = {0.0, 0.0, out.filtered_error[0]};
-  telemetry_.sliding_attitude = out.filtered_error.tail<3>();
+void Switched::report() noexcept {
+  telemetry_.sliding_position = {0.0, 0.0, out_.filtered_error[0]};
+  telemetry_.sliding_attitude = out_.filtered_error.tail<3>();
   telemetry_.adaptive.resize(kValuesPerSubsystem * law_.count() + 2);
   Eigen::Index next = 0;
   for (int i = 0; i < law_.count(); ++i) {
@@ -132,7 +139,7 @@ void Switched::report(const SwitchedOutput& out) noexcept {
     next += kValuesPerSubsystem;
   }
   telemetry_.adaptive[next] = switch_.active();
-  telemetry_.adaptive[next + 1] = out.robust_gain;
+  telemetry_.adaptive[next + 1] = out_.robust_gain;
 }
 
 }  // namespace aqc

@@ -1,6 +1,8 @@
 #include "ros/controller/controller_nodelet.h"
 
 #include <boost/make_shared.hpp>
+#include <cmath>
+#include <stdexcept>
 
 #if __has_include(<pluginlib/class_list_macros.hpp>)
 #include <pluginlib/class_list_macros.hpp>
@@ -10,16 +12,14 @@
 
 #include "adaptive_quadrotor_control/Actuators.h"
 #include "adaptive_quadrotor_control/law/law_factory.h"
-#include "adaptive_quadrotor_control/pilot/handover.h"
 #include "ros/border/conversions.h"
 #include "ros/border/parameter_tree.h"
+#include "ros/controller/pilot_state.h"
 
 namespace aqc {
 namespace {
 
-// A trajectory stamped further back than this was not meant for now by its clock: RotorS's meaning,
-// "the first point now", applies to it, as to one without a stamp.
-constexpr Nanoseconds kOldestTrajectory = 1'000'000'000;
+constexpr double kDefaultRate = 250.0;  // [Hz]
 constexpr double kWarningPeriod = 1.0;  // [s], at most one warning of a kind in this time
 
 }  // namespace
@@ -35,27 +35,27 @@ void ControllerNodelet::onInit() {
 }
 
 void ControllerNodelet::configure() {
+  const ros::NodeHandle& own_node = getPrivateNodeHandle();
   const Vehicle vehicle = readParameters(getNodeHandle(), "vehicle", readVehicle);
-  getPrivateNodeHandle().deleteParam("tuning");  // what the tuner of an earlier run left behind
-  const ParameterReader own = parameterReader(getPrivateNodeHandle(), "");
-  const double default_rate = getNodeHandle().param("scenario/control_rate", 250.0);
+  own_node.deleteParam("tuning");  // what the tuner of an earlier run left behind
+  const ParameterReader own = parameterReader(own_node, "");
   const Nanoseconds period =
-      fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), default_rate));
+      fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), kDefaultRate));
   const bool by_odometry =
       own.has("trigger") && own.choice("trigger", {"odometry", "timer"}) == "odometry";
-  clock_.emplace(period, by_odometry ? StepClock::Trigger::kOdometry : StepClock::Trigger::kTimer);
-  const ParameterReader gains = own.child("gains");
-  law_name_ = gains.text("law");
-  controller_ = std::make_unique<FlightController>(vehicle, makeLaw(gains, vehicle));
+  PilotLimits limits;
+  if (own.has("limits")) limits = readPilotLimits(own.child("limits"));
+  pilot_ = std::make_unique<Pilot>(
+      vehicle, makeLaw(own.child("gains"), vehicle), period,
+      by_odometry ? StepClock::Trigger::kOdometry : StepClock::Trigger::kTimer, limits);
   own.finish();
-  adaptive_names_ = controller_->law().adaptiveNames();
-  diagnostics_ =
-      std::make_unique<FlightDiagnostics>(getNodeHandle(), getPrivateNodeHandle(), getName(),
-                                          FlightMonitor(period, vehicle.maxThrust() / kGravity));
-  tuner_ = std::make_unique<GainTuner>(
-      getPrivateNodeHandle(), parameterTree(getNodeHandle(), "vehicle"),
-      parameterTree(getPrivateNodeHandle(), "gains"), getSTCallbackQueue(),
-      [this](PreparedLaw& prepared) { return swapLaw(prepared); });
+  adaptive_names_ = adaptiveNames(pilot_->law());
+  diagnostics_ = std::make_unique<FlightDiagnostics>(
+      getNodeHandle(), own_node, getName(),
+      [this](Nanoseconds now, double silence) { return pilot_->judge(now, silence); });
+  tuner_ = std::make_unique<GainTuner>(own_node, parameterTree(getNodeHandle(), "vehicle"),
+                                       parameterTree(own_node, "gains"), getSTCallbackQueue(),
+                                       [this](PreparedLaw& prepared) { return swapLaw(prepared); });
 }
 
 void ControllerNodelet::connect() {
@@ -69,164 +69,141 @@ void ControllerNodelet::connect() {
       node.subscribe("command/trajectory", 10, &ControllerNodelet::onTrajectory, this, fast);
   pose_subscriber_ = node.subscribe("command/pose", 10, &ControllerNodelet::onPose, this, fast);
   connectLaw();
-  const bool by_timer = clock_->trigger() == StepClock::Trigger::kTimer;
+  const bool by_timer = pilot_->clock().trigger() == StepClock::Trigger::kTimer;
+  const Nanoseconds period = pilot_->clock().period();
   if (by_timer) {
-    timer_ = node.createTimer(ros::Duration().fromNSec(clock_->period()),
-                              &ControllerNodelet::onTimer, this);
+    timer_ = node.createTimer(ros::Duration().fromNSec(period), [this](const ros::TimerEvent&) {
+      act(pilot_->tick(toNanoseconds(ros::Time::now())));
+    });
   }
-  NODELET_INFO("%s at %.0f Hz, triggered by %s", law_name_.c_str(),
-               1.0 / toSeconds(clock_->period()), by_timer ? "a timer" : "odometry");
+  NODELET_INFO("%s at %.0f Hz, triggered by %s", pilot_->law().name(), 1.0 / toSeconds(period),
+               by_timer ? "a timer" : "odometry");
 }
 
 // The inputs that only some laws have.
 void ControllerNodelet::connectLaw() {
-  SubsystemSwitch* subsystems = controller_->subsystems();
+  const auto fast = ros::TransportHints().tcpNoDelay();
+  const SubsystemSwitch* subsystems = pilot_->law().subsystems();
   if (subsystems == nullptr) {
-    switch_.reset();
-  } else if (switch_) {
-    switch_->follow(*subsystems);
-  } else {
-    switch_ = std::make_unique<SwitchInput>(getNodeHandle(), *subsystems);
+    order_subscriber_.shutdown();
+  } else if (!order_subscriber_) {
+    NODELET_INFO("%d subsystems, %d active; %s", subsystems->count(), subsystems->active(),
+                 subsystems->text().c_str());
+    order_subscriber_ = getNodeHandle().subscribe("active_subsystem", SwitchSchedule::kMost,
+                                                  &ControllerNodelet::onOrder, this, fast);
   }
-  if (!controller_->law().needsImu()) {
-    imu_.reset();
-  } else if (!imu_) {
-    imu_ = std::make_unique<ImuInput>(getNodeHandle(), [this] {
-      const Nanoseconds time = clock_->odometryTime();
-      if (clock_->waiting() && imu_->covers(time)) step(time);
-    });
+  if (!pilot_->law().usesSpecificForce()) {
+    imu_subscriber_.shutdown();
+  } else if (!imu_subscriber_) {
+    imu_subscriber_ = getNodeHandle().subscribe("imu", 10, &ControllerNodelet::onImu, this, fast);
   }
 }
 
 void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) {
-  const State state = toState(*message);
-  const Nanoseconds time = toNanoseconds(message->header.stamp);
-  if (!state.valid()) return dropOdometry("it is not finite or not a pose");
-  StepClock::Answer answer = clock_->hear(time, imu_ && imu_->awaits(time));
-  if (answer == StepClock::Answer::kRestart) {
-    startAnew();
-    answer = clock_->hear(time, imu_ && imu_->awaits(time));
+  const Answer answer = pilot_->hear(toState(*message), toNanoseconds(message->header.stamp),
+                                     toNanoseconds(ros::Time::now()));
+  if (answer.began_anew) {
+    NODELET_WARN_THROTTLE(kWarningPeriod,
+                          "odometry went back so far that its clock was started anew: the rotors "
+                          "stand still until a new set point comes");
   }
-  if (answer == StepClock::Answer::kDrop) return dropOdometry("its stamp goes back");
-  state_ = state;
-  diagnostics_->heardOdometry();
-  diagnostics_->monitor().countOdometry(time, toNanoseconds(ros::Time::now()));
-  if (answer == StepClock::Answer::kStep) step(time);
-  if (answer == StepClock::Answer::kRepeat) publishMotors();
+  if (answer.refusal != nullptr) {
+    NODELET_WARN_THROTTLE(kWarningPeriod, "odometry dropped: %s (%u so far)", answer.refusal,
+                          pilot_->droppedOdometry());
+  } else {
+    diagnostics_->heardOdometry();
+  }
+  act(answer.publish);
 }
 
-void ControllerNodelet::startAnew() {
-  schedule_ = SetPointSchedule();
-  if (switch_) switch_->restart();
-  controller_->step(State(), nullptr, toSeconds(clock_->period()));  // the law forgets
-  diagnostics_->monitor().countNewStart();
-  NODELET_WARN_THROTTLE(kWarningPeriod,
-                        "odometry went back by more than %.0f s, so its clock was started anew: "
-                        "the rotors stand still until a new set point comes",
-                        toSeconds(kNewStart));
+void ControllerNodelet::onImu(const sensor_msgs::Imu::ConstPtr& message) {
+  const Answer answer =
+      pilot_->hear(toEigen(message->linear_acceleration), toNanoseconds(message->header.stamp));
+  if (answer.refusal != nullptr) {
+    NODELET_WARN_THROTTLE(kWarningPeriod, "imu sample dropped: %s (%ld so far)", answer.refusal,
+                          pilot_->imu().dropped());
+  }
+  act(answer.publish);
 }
 
-void ControllerNodelet::dropOdometry(const char* reason) {
-  ++dropped_odometry_;
-  diagnostics_->monitor().countDroppedOdometry();
-  NODELET_WARN_THROTTLE(kWarningPeriod, "odometry dropped: %s (%u so far)", reason,
-                        dropped_odometry_);
+template <class ToSetPoints>
+void ControllerNodelet::plan(const char* what, const ros::Time& stamp, ToSetPoints to_set_points) {
+  const Nanoseconds now = toNanoseconds(ros::Time::now());
+  try {
+    pilot_->plan(to_set_points(now), now, toNanoseconds(stamp));
+  } catch (const std::invalid_argument& error) {
+    pilot_->countRefusedSetPoints();
+    NODELET_WARN_THROTTLE(kWarningPeriod, "%s dropped: %s (%u so far)", what, error.what(),
+                          pilot_->droppedSetPoints());
+  }
 }
 
-void ControllerNodelet::onTimer(const ros::TimerEvent&) {
-  step(toNanoseconds(ros::Time::now()));
+void ControllerNodelet::onTrajectory(
+    const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& message) {
+  const ros::Time& stamp = message->header.stamp;
+  plan("trajectory", stamp, [&](Nanoseconds now) {
+    return toSetPoints(*message, pilot_->beginning(toNanoseconds(stamp), now));
+  });
 }
 
-void ControllerNodelet::step(Nanoseconds now) {
-  const SetPoint* set_point = state_ ? schedule_.at(now) : nullptr;
-  if (set_point != nullptr) set_point_ = *set_point;
-  const double dt = clock_->begin(now, set_point != nullptr);
-  if (switch_) switch_->step(now);
-  if (imu_) imu_->feed(*controller_, clock_->odometryTime());
-  controller_->step(state_.value_or(State()), set_point, dt);
-  diagnostics_->monitor().countStep(now, controller_->flying(), controller_->law().telemetry(),
-                                    controller_->allocation().saturated);
-  publishMotors();
-  publishState();
+void ControllerNodelet::onPose(const geometry_msgs::PoseStamped::ConstPtr& message) {
+  plan("pose", message->header.stamp, [&](Nanoseconds now) {
+    return std::vector<TimedSetPoint>{{now, toSetPoint(message->pose)}};
+  });
+}
+
+void ControllerNodelet::onOrder(const msgs::ActiveSubsystem::ConstPtr& message) {
+  if (pilot_->order({toNanoseconds(message->header.stamp), message->subsystem})) return;
+  NODELET_WARN_THROTTLE(kWarningPeriod, "switch dropped: %zu wait already",
+                        pilot_->switchesPending());
 }
 
 std::string ControllerNodelet::swapLaw(PreparedLaw& prepared) {
-  if (controller_->flying() && prepared.name != law_name_) {
-    const std::string obstacle =
-        handoverObstacle(controller_->law().telemetry(), controller_->allocation().saturated);
-    if (!obstacle.empty()) {
-      return "'" + prepared.name + "' cannot take over from '" + law_name_ + "' now: " + obstacle;
-    }
-  }
-  prepared.law = controller_->replaceLaw(std::move(prepared.law));
-  law_name_.swap(prepared.name);
+  const std::string obstacle = pilot_->handOver(prepared.law);
+  if (!obstacle.empty()) return obstacle;
   adaptive_names_.swap(prepared.adaptive_names);
   connectLaw();
   return "";
 }
 
-void ControllerNodelet::publishMotors() {
-  const RotorArray& speeds = controller_->allocation().speeds;
+void ControllerNodelet::act(Publish publish) {
+  if (publish == Publish::kNothing) return;
+  const RotorArray& speeds = pilot_->allocation().speeds;
   const auto motors = boost::make_shared<msgs::Actuators>();
-  motors->header.stamp = toRosTime(clock_->odometryTime());
+  motors->header.stamp = toRosTime(pilot_->clock().odometryTime());
   motors->angular_velocities.assign(speeds.begin(), speeds.end());
   motor_publisher_.publish(motors);
+  if (publish == Publish::kLastCommand) return;
+  publishState();
+  tellOfSwitches();
+  tellOfImu();
+}
+
+void ControllerNodelet::tellOfSwitches() const {
+  for (const SwitchReport& report : pilot_->objections()) {
+    NODELET_WARN("%s", switchObjection(report, 0).c_str());
+  }
+}
+
+void ControllerNodelet::tellOfImu() {
+  const bool usable = pilot_->imu().usable();
+  if (usable == imu_was_usable_) return;
+  imu_was_usable_ = usable;
+  const std::string topic = imu_subscriber_.getTopic();
+  if (usable) {
+    NODELET_INFO("'%s' is there", topic.c_str());
+  } else {
+    const Nanoseconds away = pilot_->clock().odometryTime() - pilot_->imu().time();
+    NODELET_WARN("the last sample of '%s' is %.3f s away from the odometry: the law does without",
+                 topic.c_str(), std::abs(toSeconds(away)));
+  }
 }
 
 void ControllerNodelet::publishState() {
-  FlightSample sample;
-  sample.time = clock_->odometryTime();
-  sample.state = state_.value_or(State());
-  sample.flying = controller_->flying();
-  sample.set_point = set_point_;
-  sample.telemetry = controller_->law().telemetry();
-  sample.allocation = controller_->allocation();
   const auto state = boost::make_shared<msgs::ControllerState>();
-  fill(sample, *state);
-  state->controller = law_name_;
+  fill(*pilot_, *state);
   state->adaptive_names = adaptive_names_;
-  state->trajectory_stamp = trajectory_stamp_;
-  state->set_points_pending = static_cast<std::uint32_t>(schedule_.pending());
-  state->dropped_odometry = dropped_odometry_;
-  state->dropped_set_points = dropped_set_points_;
-  if (imu_) imu_->fill(*state);
-  if (switch_) switch_->fill(*state, clock_->odometryTime());
   state_publisher_.publish(state);
-}
-
-void ControllerNodelet::accept(std::vector<TimedSetPoint> set_points, Nanoseconds now,
-                               const ros::Time& stamp) {
-  schedule_.replace(now, std::move(set_points));
-  trajectory_stamp_ = stamp;
-  diagnostics_->monitor().countSetPoint(now);
-}
-
-void ControllerNodelet::dropSetPoint(const char* what, const std::invalid_argument& error) {
-  ++dropped_set_points_;
-  diagnostics_->monitor().countDroppedSetPoint();
-  NODELET_WARN_THROTTLE(kWarningPeriod, "%s dropped: %s (%u so far)", what, error.what(),
-                        dropped_set_points_);
-}
-
-void ControllerNodelet::onTrajectory(
-    const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& message) {
-  const Nanoseconds now = toNanoseconds(ros::Time::now());
-  const Nanoseconds stamp = toNanoseconds(message->header.stamp);
-  try {
-    accept(toSetPoints(*message, stamp + kOldestTrajectory > now ? stamp : now), now,
-           message->header.stamp);
-  } catch (const std::invalid_argument& error) {
-    dropSetPoint("trajectory", error);
-  }
-}
-
-void ControllerNodelet::onPose(const geometry_msgs::PoseStamped::ConstPtr& message) {
-  const Nanoseconds now = toNanoseconds(ros::Time::now());
-  try {
-    accept({{now, toSetPoint(message->pose)}}, now, message->header.stamp);
-  } catch (const std::invalid_argument& error) {
-    dropSetPoint("pose", error);
-  }
 }
 
 }  // namespace aqc

@@ -19,8 +19,8 @@ unsigned char level(Health health) {
 
 FlightDiagnostics::FlightDiagnostics(const ros::NodeHandle& node,
                                      const ros::NodeHandle& private_node,
-                                     const std::string& node_name, FlightMonitor monitor)
-    : monitor_(std::move(monitor)),
+                                     const std::string& node_name, Judge judge)
+    : judge_(std::move(judge)),
       last_odometry_(ros::SteadyTime::now()),
       updater_(node, private_node, node_name) {
   updater_.setHardwareID("none");
@@ -39,7 +39,7 @@ FlightDiagnostics::FlightDiagnostics(const ros::NodeHandle& node,
 
 void FlightDiagnostics::onTimer(const ros::WallTimerEvent&) {
   const double silence = (ros::SteadyTime::now() - last_odometry_).toSec();
-  findings_ = monitor_.judge(toNanoseconds(ros::Time::now()), silence);
+  findings_ = judge_(toNanoseconds(ros::Time::now()), silence);
   updater_.force_update();
 }
 

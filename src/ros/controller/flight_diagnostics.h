@@ -3,28 +3,31 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "adaptive_quadrotor_control/pilot/flight_monitor.h"
 
 namespace aqc {
 
-/// What a FlightMonitor finds, on /diagnostics once a wall-clock second (REP-107).
+/// What a pilot finds, on /diagnostics once a wall-clock second (REP-107).
 class FlightDiagnostics {
  public:
-  /// `node_name` stands before every finding. The timer runs in the queue of `node`, where the
-  /// monitor's counting must happen, too.
-  FlightDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                    const std::string& node_name, FlightMonitor monitor);
+  /// Judges at a ROS time, after so many seconds without odometry by the wall clock.
+  using Judge = std::function<std::vector<Finding>(Nanoseconds now, double silence)>;
 
-  /// To count with. Every accepted odometry must be told to heardOdometry(), too.
-  FlightMonitor& monitor() { return monitor_; }
+  /// `node_name` stands before every finding. `judge` is called in the queue of `node`.
+  FlightDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                    const std::string& node_name, Judge judge);
+
+  /// Every accepted odometry must be told.
   void heardOdometry() { last_odometry_ = ros::SteadyTime::now(); }
 
  private:
   void onTimer(const ros::WallTimerEvent& event);
 
-  FlightMonitor monitor_;
+  Judge judge_;
   ros::SteadyTime last_odometry_;
   std::vector<Finding> findings_;
   diagnostic_updater::Updater updater_;

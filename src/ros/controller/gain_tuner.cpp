@@ -11,6 +11,7 @@
 
 #include "adaptive_quadrotor_control/law/law_factory.h"
 #include "ros/border/parameter_tree.h"
+#include "ros/controller/pilot_state.h"
 #include "ros/controller/tuning_server.h"
 
 namespace aqc {
@@ -96,13 +97,12 @@ std::string GainTuner::apply(const YAML::Node& gains) {
   auto prepared = std::make_unique<PreparedLaw>();
   try {
     const ParameterReader reader(gains, node_.resolveName("gains"));
-    prepared->name = reader.text("law");
     prepared->law = makeLaw(reader, vehicle_);
     reader.finish();
   } catch (const ParameterError& error) {
     return error.what();
   }
-  prepared->adaptive_names = prepared->law->adaptiveNames();
+  prepared->adaptive_names = adaptiveNames(*prepared->law);
   const std::string problem = swapInControlThread(std::move(prepared));
   if (!problem.empty()) return problem;
   gains_ = YAML::Clone(gains);

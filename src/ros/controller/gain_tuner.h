@@ -20,7 +20,6 @@ class TuningServer;
 
 /// A law that is ready to fly.
 struct PreparedLaw {
-  std::string name;
   std::vector<std::string> adaptive_names;
   std::unique_ptr<ControlLaw> law;
 };

@@ -46,8 +46,8 @@ double difference(const std::string& name, const std::vector<Moment>& one,
   const auto law_other = test::lawNamed(name, vehicle);
   double largest = 0.0;
   for (std::size_t i = 0; i < one.size(); ++i) {
-    const Wrench a = law_one->update(one[i].state, one[i].set_point, 0.01);
-    const Wrench b = law_other->update(other[i].state, other[i].set_point, 0.01);
+    const Wrench a = test::step(*law_one, {one[i].state}, one[i].set_point, 0.01);
+    const Wrench b = test::step(*law_other, {other[i].state}, other[i].set_point, 0.01);
     const double scale = 1.0 + std::abs(a.thrust) + a.moment.norm();
     largest = std::max(
         {largest, std::abs(a.thrust - b.thrust) / scale, (a.moment - b.moment).norm() / scale});
@@ -103,7 +103,7 @@ RC_GTEST_PROP(ControlLaws, NeverAdaptBelowZeroAndNeverGiveNonsense, ()) {
   FlightController controller(vehicle, test::lawNamed("asmc", vehicle));
   for (const Moment& moment : anyFlight()) {
     const double dt = std::pow(10.0, anyReal(-6.0, 3.0));
-    const Allocation& allocation = controller.step(moment.state, &moment.set_point, dt);
+    const Allocation& allocation = controller.step({moment.state}, &moment.set_point, dt);
     RC_ASSERT(controller.law().telemetry().adaptive.minCoeff() >= 0.0);
     RC_ASSERT(allocation.speeds.allFinite());
     RC_ASSERT(allocation.speeds.minCoeff() >= 0.0);
@@ -120,7 +120,7 @@ RC_GTEST_PROP(ControlLaws, AdaptTheSameHoweverTheTimeIsCut, ()) {
   const int count = *rc::gen::inRange(1, 40);
   for (int i = 0; i < count; ++i) {
     const double dt = std::pow(10.0, anyReal(-5.0, -1.0));
-    law->update(moment.state, moment.set_point, dt);
+    test::step(*law, {moment.state}, moment.set_point, dt);
     time += dt;
   }
   const Telemetry& seen = law->telemetry();

@@ -34,7 +34,7 @@ void expectNear(const Eigen::Vector3d& actual, const Eigen::Vector3d& expected, 
 TEST(AsmcLaw, OneStepWorkedByHand) {
   const Vehicle vehicle = test::pelican();
   const auto law = test::lawNamed("asmc", vehicle);
-  const Wrench wrench = law->update(levelState(), target(), 0.01);
+  const Wrench wrench = test::step(*law, {levelState()}, target(), 0.01);
   const Telemetry& seen = law->telemetry();
   // e_p = (1, 0, -1), de_p = (0.5, 0, 0); s_p = de_p + (1.2, 1.2, 0.8) e_p = (1.7, 0, -0.8).
   expectNear(seen.position_error, {1.0, 0.0, -1.0}, 1e-15);
@@ -59,7 +59,7 @@ TEST(AsmcLaw, MomentWorkedByHand) {
   State state;
   state.attitude = Eigen::AngleAxisd(M_PI / 6.0, Eigen::Vector3d::UnitX());
   state.body_rate = {0.0, 0.4, 0.0};
-  const Wrench wrench = law->update(state, SetPoint(), 0.01);
+  const Wrench wrench = test::step(*law, {state}, SetPoint(), 0.01);
   // e_q = (sin 30 deg, 0, 0) = (0.5, 0, 0); de_q = (0, 0.4, 0); s_q = (2.25, 0.4, 0).
   expectNear(law->telemetry().sliding_attitude, {2.25, 0.4, 0.0}, 1e-12);
   // ||s_q|| = sqrt(5.0625 + 0.16) = 2.2852790 >= 1; ||xi_q||^2 = 0.25 + 0.16 = 0.41,
@@ -72,12 +72,12 @@ TEST(AsmcLaw, MomentWorkedByHand) {
 TEST(AsmcLaw, AdaptsAsPrinted) {
   const Vehicle vehicle = test::pelican();
   const auto law = test::lawNamed("asmc", vehicle);
-  ASSERT_EQ(law->adaptiveNames().size(), 5u);
+  ASSERT_EQ(law->adaptiveQuantities().size(), 5u);
   EXPECT_EQ(law->telemetry().adaptive[0], 0.01) << "K_p0 at the start";
   EXPECT_EQ(law->telemetry().adaptive[4], 1e-4) << "K_q2 at the start";
   EXPECT_EQ(law->telemetry().mass_estimate, 0.01);
   const double dt = 1e-4;  // one step of Euler is then good to 1e-4 of the change
-  law->update(levelState(), target(), dt);
+  test::step(*law, {levelState()}, target(), dt);
   const AdaptiveValues& K = law->telemetry().adaptive;
   // dK_p0 = ||s_p|| - 3 * 0.01 = 1.8788294 - 0.03; dK_p1 = 1.5 * 1.8788294 - 0.03.
   EXPECT_NEAR((K[0] - 0.01) / dt, 1.8488294, 1e-3);
@@ -99,8 +99,8 @@ TEST(AsmcLaw, UsesTheGainsOfBeforeTheStep) {
   const Vehicle vehicle = test::pelican();
   const auto slow = test::lawNamed("asmc", vehicle);
   const auto fast = test::lawNamed("asmc", vehicle);
-  const Wrench a = slow->update(levelState(), target(), 1e-4);
-  const Wrench b = fast->update(levelState(), target(), 10.0);
+  const Wrench a = test::step(*slow, {levelState()}, target(), 1e-4);
+  const Wrench b = test::step(*fast, {levelState()}, target(), 10.0);
   EXPECT_EQ(a.thrust, b.thrust);
   EXPECT_EQ((a.moment - b.moment).norm(), 0.0);
 }
@@ -110,7 +110,7 @@ TEST(SmcLaw, OneStepWorkedByHand) {
   const auto law = test::lawNamed("smc", vehicle);
   SetPoint set_point = target();
   set_point.acceleration = {0.0, 0.3, 0.0};
-  const Wrench wrench = law->update(levelState(), set_point, 0.01);
+  const Wrench wrench = test::step(*law, {levelState()}, set_point, 0.01);
   // s_p = de_p + 3 e_p = (3.5, 0, -3): outside the boundary layer of 1, sat = (1, 0, -1).
   // b = g + a_d - 3 de_p = (-1.5, 0.3, 9.81); kappa = 4 + 0.4 |b| = (4.6, 4.12, 7.924).
   // tau_p = 2 b - kappa sat = (-3 - 4.6, 0.6, 19.62 + 7.924).
@@ -126,7 +126,7 @@ TEST(SmcLaw, MomentWorkedByHand) {
   State state;
   state.attitude = Eigen::AngleAxisd(M_PI / 6.0, Eigen::Vector3d::UnitX());
   state.body_rate = {0.0, 0.4, -0.2};
-  const Wrench wrench = law->update(state, SetPoint(), 0.01);
+  const Wrench wrench = test::step(*law, {state}, SetPoint(), 0.01);
   // e_q = (0.5, 0, 0), de_q = (0, 0.4, -0.2), s_q = (1.5, 0.4, -0.2), sat = (1, 0.4, -0.2).
   // b = -3 de_q = (0, -1.2, 0.6); kappa = 0.3 + (0.093, 0.093, 0.0015) |b|
   //   = (0.3, 0.4116, 0.3009).
@@ -140,7 +140,7 @@ TEST(GeometricLaw, OneStepWorkedByHand) {
   const auto law = test::lawNamed("geometric", vehicle);
   SetPoint set_point = target();
   set_point.acceleration = {0.0, 0.3, 0.5};
-  const Wrench wrench = law->update(levelState(), set_point, 0.01);
+  const Wrench wrench = test::step(*law, {levelState()}, set_point, 0.01);
   // tau_p = 2 (a_d + g) - 4 e_p - 2.7 de_p = (-4 - 1.35, 0.6, 20.62 + 4).
   expectNear(law->telemetry().force, {-5.35, 0.6, 24.62}, 1e-12);
   EXPECT_NEAR(wrench.thrust, 24.62, 1e-12);
@@ -154,7 +154,7 @@ TEST(GeometricLaw, MomentWorkedByHand) {
   state.body_rate = {1.0, 2.0, 3.0};
   SetPoint set_point;
   set_point.yaw_rate = 2.0;
-  const Wrench wrench = law->update(state, set_point, 0.01);
+  const Wrench wrench = test::step(*law, {state}, set_point, 0.01);
   // e_q = (0.5, 0, 0). R' R_d omega_d = 2 (0, sin 30, cos 30) = (0, 1, 1.7320508), so
   // de_q = (1, 1, 1.2679492). omega x J omega = (2 * 0.06 - 3 * 0.02, 3 * 0.01 - 1 * 0.06, 0)
   //   = (0.06, -0.03, 0).
@@ -169,7 +169,7 @@ TEST(CascadedLaws, ReportTheDesiredAttitudeOfTheirForce) {
     const auto law = test::lawNamed(name, vehicle);
     SetPoint set_point = target();
     set_point.yaw = 0.7;
-    law->update(levelState(), set_point, 0.01);
+    test::step(*law, {levelState()}, set_point, 0.01);
     const Eigen::Vector3d axis = law->telemetry().desired_attitude * Eigen::Vector3d::UnitZ();
     EXPECT_LT((axis - law->telemetry().force.normalized()).norm(), 1e-12) << name;
   }

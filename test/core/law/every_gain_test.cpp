@@ -44,9 +44,9 @@ class Diary {
     if (i % 2 == 0) state.body_rate = dice_.vector(0.05);
     set_point.position = state.position + dice_.vector(i % 4 < 2 ? 0.01 : 3.0);
     set_point.velocity = state.velocity + dice_.vector(i % 4 < 2 ? 0.01 : 3.0);
-    law_.senseSpecificForce(dice_.vector(20.0));
-    if (i % 3 == 0) law_.forgetSpecificForce();
-    const Wrench wrench = law_.update(state, set_point, 0.01);
+    Sensed sensed = {state};
+    if (i % 3 != 0) sensed.specific_force = dice_.vector(20.0);
+    const Wrench wrench = test::step(law_, sensed, set_point, 0.01);
     numbers_.insert(numbers_.end(),
                     {wrench.thrust, wrench.moment.x(), wrench.moment.y(), wrench.moment.z()});
     const AdaptiveValues& adaptive = law_.telemetry().adaptive;

@@ -64,11 +64,11 @@ TEST_F(AllocationFree, ControlStepOfEveryLaw) {
   for (const std::string& name : lawNames()) {
     FlightController controller(vehicle_, test::lawNamed(name, vehicle_));
     const test::HeapCounter counter;
-    controller.step(states[0], nullptr, 0.01);
+    controller.step({states[0]}, nullptr, 0.01);
     for (std::size_t i = 0; i < states.size(); ++i) {
-      controller.step(states[i], &set_points[i], 0.01);
+      controller.step({states[i]}, &set_points[i], 0.01);
     }
-    controller.step(states[0], nullptr, 0.01);
+    controller.step({states[0]}, nullptr, 0.01);
     EXPECT_EQ(counter.count(), 0u) << name;
   }
 }

@@ -24,7 +24,7 @@ class Flight {
   }
   void fly(double seconds) {
     for (int i = 0; i < std::lround(seconds / kStep); ++i) {
-      controller_.step(plant_.state(), &set_point_, kStep);
+      controller_.step({plant_.state()}, &set_point_, kStep);
       for (int k = 0; k < 4; ++k) plant_.step(controller_.allocation().speeds, 1e-3);
       lowest_ = std::min(lowest_, plant_.state().position.z());
     }
@@ -97,7 +97,7 @@ TEST_P(LawChange, DoesNotDropTheVehicle) {
   const double before = flight.controller().allocation().requested.thrust;
   const double height = flight.height();
   ASSERT_EQ(flight.change(change.to), "");
-  flight.controller().step(flight.state(), &flight.setPoint(), kStep);
+  flight.controller().step({flight.state()}, &flight.setPoint(), kStep);
   const double after = flight.controller().allocation().requested.thrust;
   EXPECT_NEAR(after, before, 0.25 * before) << "at once";
   flight.fly(10.0);
@@ -133,8 +133,8 @@ TEST(Handover, OnTheGroundTheNewLawBeginsAnew) {
   FlightController controller(vehicle, test::lawNamed("asmc", vehicle));
   SetPoint above;
   above.position.z() = 2.0;
-  for (int i = 0; i < 100; ++i) controller.step(State(), &above, kStep);
-  controller.step(State(), nullptr, kStep);
+  for (int i = 0; i < 100; ++i) controller.step({}, &above, kStep);
+  controller.step({}, nullptr, kStep);
   controller.replaceLaw(test::lawNamed("asmc", vehicle));
   EXPECT_TRUE(test::sameBits(controller.law().telemetry().adaptive,
                              test::lawNamed("asmc", vehicle)->telemetry().adaptive));

@@ -103,7 +103,7 @@ TEST(StepClock, StampsThatGoBackAreDropped) {
 
 // The last answer to as many odometry of a new time as confirm it.
 Answer hearOfANewStart(StepClock& clock, Nanoseconds stamp) {
-  for (int i = 1; i < StepClock::kConfirming; ++i) {
+  for (int i = 1; i < ClockLimits().confirmations; ++i) {
     EXPECT_EQ(clock.hear(stamp, true), Answer::kDrop) << i;
   }
   return clock.hear(stamp, true);
@@ -114,12 +114,12 @@ TEST(StepClock, AFewStampsOfAnotherTimeDoNotEndAFlight) {
     Nanoseconds now = 17 * kStart;
     clock.hear(now, false);
     clock.begin(now, true);
-    for (int i = 0; i < 3 * StepClock::kConfirming; ++i) {  // a second source
+    for (int i = 0; i < 3 * ClockLimits().confirmations; ++i) {  // a second source
       EXPECT_EQ(clock.hear(i * kPeriod, false), Answer::kDrop);
       now += kPeriod;
       EXPECT_NE(clock.hear(now, false), Answer::kDrop);
     }
-    for (int i = 3 * StepClock::kConfirming; i > 0; --i) {  // no clock at all
+    for (int i = 3 * ClockLimits().confirmations; i > 0; --i) {  // no clock at all
       EXPECT_EQ(clock.hear(i, false), Answer::kDrop);
     }
     EXPECT_EQ(clock.odometryTime(), now);

@@ -26,7 +26,7 @@ TEST(ClosedLoop, IsTheControllerFedWithThePlantsStateAtItsRate) {
     FlightController controller(vehicle, test::lawNamed(law, vehicle));
     for (const FlightSample& sample : log.samples) {
       const SetPoint* set_point = sample.flying ? &sample.set_point : nullptr;
-      const RotorArray speeds = controller.step(sample.state, set_point, 0.01).speeds;
+      const RotorArray speeds = controller.step({sample.state}, set_point, 0.01).speeds;
       ASSERT_TRUE(test::sameBits(speeds, sample.allocation.speeds)) << law;
     }
   }

@@ -49,6 +49,7 @@ class SwitchSchedule {
 
 /// "switch to subsystem 3 refused: against the dwell time; the next switch is allowed at 9.37 s".
 /// Times are counted from `origin`.
+std::string switchObjection(const SwitchReport& report, Nanoseconds origin);
 std::string switchObjection(int subsystem, const std::string& outcome, Nanoseconds allowed,
                             Nanoseconds now, Nanoseconds origin);
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "adaptive_quadrotor_control/law/control_law.h"
 #include "adaptive_quadrotor_control/law/switched/subsystem_switch.h"
 #include "adaptive_quadrotor_control/law/switched/switched_law.h"
@@ -23,10 +21,9 @@ constexpr int kMaxSubsystems = 8;
 /// derivatives; from kSteepest on the pitch's cosine is held there, so that they stay finite.
 ///
 /// The acceleration in the law is that of the samples before the command: linear from
-/// senseSpecificForce() as R f - g e_3, angular the filtered derivative of the body rate turned
-/// into Euler axes, without the product of rates that is of second order. Before the
-/// first specific force and after forgetSpecificForce(), linear is the filtered derivative of the
-/// velocity.
+/// the specific force as R f - g e_3, angular the filtered derivative of the body rate turned into
+/// Euler axes, without the product of rates that is of second order. Without a specific force,
+/// linear is the filtered derivative of the velocity.
 class Switched final : public ControlLaw {
  public:
   static constexpr double kSteepest = 85.0 * M_PI / 180.0;  ///< pitch [rad]
@@ -35,7 +32,8 @@ class Switched final : public ControlLaw {
   /// of its first rotor. Throws ParameterError.
   Switched(const ParameterReader& reader, const Vehicle& vehicle);
 
-  Wrench update(const State& state, const SetPoint& set_point, double dt) noexcept override;
+  Wrench command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept override;
+  void adapt(const Achieved& achieved, double dt) noexcept override;
   /// Gains to their initial values and filters emptied. The active subsystem and the memory of past
   /// switches stay: they belong to the payload, not to the law. For those: subsystems()->restart().
   void reset() noexcept override;
@@ -43,9 +41,10 @@ class Switched final : public ControlLaw {
   /// active subsystem, memory of switches. From another law nothing: this one has no integral of
   /// the weight, so it lets the vehicle sink until its error gain holds it.
   void adopt(const ControlLaw& old) noexcept override;
-  void senseSpecificForce(const Eigen::Vector3d& specific_force) noexcept override;
-  void forgetSpecificForce() noexcept override { specific_force_.reset(); }
-  bool needsImu() const noexcept override { return true; }
+  std::unique_ptr<ControlLaw> clone() const override { return std::make_unique<Switched>(*this); }
+  const char* name() const noexcept override { return kName; }
+  static constexpr const char* kName = "switched";
+  bool usesSpecificForce() const noexcept override { return true; }
   SubsystemSwitch* subsystems() noexcept override { return &switch_; }
 
   /// position_error and velocity_error in all three axes, though x and y are not controlled;
@@ -54,20 +53,22 @@ class Switched final : public ControlLaw {
   const Telemetry& telemetry() const noexcept override { return telemetry_; }
   /// "theta_0[1]" .. "theta_3[1]", "zeta[1]", "gamma[1]", the same for every further subsystem,
   /// then "active_subsystem" and "rho".
-  std::vector<std::string> adaptiveNames() const override;
+  std::vector<AdaptiveQuantity> adaptiveQuantities() const override;
 
   const SwitchedLaw& law() const noexcept { return law_; }
 
  private:
-  SwitchedInput sense(const State& state, const SetPoint& set_point, double dt) noexcept;
-  void report(const SwitchedOutput& out) noexcept;
+  SwitchedInput sense(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept;
+  void report() noexcept;
 
   double arm_length_;  // l [m]
   SwitchedLaw law_;
   SubsystemSwitch switch_;
   FilteredDerivative velocity_slope_;
   FilteredDerivative rate_slope_;
-  std::optional<Eigen::Vector3d> specific_force_;  // in B [m/s^2]
+  // Of the last command(), for adapt().
+  SwitchedInput in_;
+  SwitchedOutput out_;
   Telemetry telemetry_;
 };
 

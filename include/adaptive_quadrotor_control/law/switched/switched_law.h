@@ -47,16 +47,17 @@ struct SubsystemGains {
 
 /// What the law is fed with in one step.
 struct SwitchedInput {
-  Vector8d error;                        ///< xi = [e, de], e = q - q_d
-  Eigen::Vector4d desired_acceleration;  ///< second derivative of q_d
-  double acceleration;  ///< norm of the second derivative of (z, phi, theta, psi, x, y)
+  Vector8d error = Vector8d::Zero();  ///< xi = [e, de], e = q - q_d
+  /// Second derivative of q_d.
+  Eigen::Vector4d desired_acceleration = Eigen::Vector4d::Zero();
+  double acceleration = 0.0;  ///< norm of the second derivative of (z, phi, theta, psi, x, y)
 };
 
 /// What it decides.
 struct SwitchedOutput {
-  Eigen::Vector4d filtered_error;  ///< r = B'P xi (eq. r)
-  double robust_gain;              ///< rho (eq. rho)
-  Eigen::Vector4d input;           ///< tau (eq. split_input)
+  Eigen::Vector4d filtered_error = Eigen::Vector4d::Zero();  ///< r = B'P xi (eq. r)
+  double robust_gain = 0.0;                                  ///< rho (eq. rho)
+  Eigen::Vector4d input = Eigen::Vector4d::Zero();           ///< tau (eq. split_input)
 };
 
 /// One subsystem of the switched adaptive law: its constant matrices and its gains.

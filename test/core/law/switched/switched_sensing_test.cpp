@@ -26,7 +26,7 @@ TEST(Switched, ErrorsAreEulerAnglesAndTheirRates) {
     motion.q << dice.between(-3.0, 3.0), dice.between(-3.0, 3.0), dice.between(-1.4, 1.4),
         dice.between(-3.0, 3.0);
     motion.rate.tail<3>() = dice.vector(3.0);
-    law->update(test::toState(motion), {}, kStep);
+    test::step(*law, {test::toState(motion)}, {}, kStep);
     EXPECT_LT((law->telemetry().attitude_error - motion.q.tail<3>()).norm(), 1e-9);
     EXPECT_LT((law->telemetry().rate_error - motion.rate.tail<3>()).norm(), 1e-9);
   }
@@ -39,7 +39,7 @@ TEST(Switched, YawErrorTakesTheShortWay) {
   SetPoint set_point;
   set_point.yaw = -3.0 + 4.0 * M_PI;
   set_point.yaw_rate = 0.5;
-  law->update(test::toState(motion), set_point, kStep);
+  test::step(*law, {test::toState(motion)}, set_point, kStep);
   EXPECT_NEAR(law->telemetry().attitude_error.z(), 6.0 - 2.0 * M_PI, 1e-9);
   EXPECT_NEAR(law->telemetry().rate_error.z(), -0.5, 1e-12);
 }
@@ -50,7 +50,7 @@ TEST(Switched, StaysFiniteAtVerticalPitch) {
     State state;
     state.attitude = Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY());
     state.body_rate = {1.0, 2.0, 3.0};
-    const Wrench wrench = law->update(state, {}, kStep);
+    const Wrench wrench = test::step(*law, {state}, {}, kStep);
     EXPECT_TRUE(std::isfinite(wrench.thrust) && wrench.moment.allFinite()) << pitch;
     EXPECT_LT(law->telemetry().rate_error.norm(), 50.0) << pitch;
   }
@@ -72,37 +72,35 @@ TEST(Switched, AccelerationComesFromTheAccelerometer) {
     const auto law = makeLaw(plainTree());
     State state = dice.airborneState();
     const Eigen::Vector3d acceleration = dice.vector(10.0);
-    law->senseSpecificForce(state.attitude.conjugate() *
-                            (acceleration + kGravity * Eigen::Vector3d::UnitZ()));
-    law->senseSpecificForce({NAN, 0.0, 0.0});  // ignored
-    law->update(state, {}, kStep);
+    const Eigen::Vector3d felt =
+        state.attitude.conjugate() * (acceleration + kGravity * Eigen::Vector3d::UnitZ());
+    test::step(*law, {state, felt}, {}, kStep);
     EXPECT_NEAR(accelerationSeen(*law, state, {}), acceleration.norm(), 1e-9);
   }
 }
 
-TEST(Switched, ForgetsAStaleSample) {
+TEST(Switched, HoldsNoSampleBeyondItsStep) {
   const auto silent = makeLaw(plainTree());
   const auto law = makeLaw(plainTree());
-  law->senseSpecificForce(kClimbing);
-  law->forgetSpecificForce();
   State state;
   state.velocity.z() = 0.1;
   for (int i = 0; i < 5; ++i) {
     state.velocity.z() += 0.01;
-    EXPECT_EQ(law->update(state, {}, kStep).thrust, silent->update(state, {}, kStep).thrust);
+    EXPECT_EQ(test::step(*law, {state}, {}, kStep).thrust,
+              test::step(*silent, {state}, {}, kStep).thrust);
   }
-  law->senseSpecificForce(kClimbing);
-  EXPECT_NE(law->update(state, {}, kStep).thrust, silent->update(state, {}, kStep).thrust);
+  EXPECT_NE(test::step(*law, {state, kClimbing}, {}, kStep).thrust,
+            test::step(*silent, {state}, {}, kStep).thrust);
 }
 
 TEST(Switched, WithoutOneItComesFromTheVelocityBehindTheLowPass) {
   const auto law = makeLaw(plainTree());
   State state;
-  law->update(state, {}, kStep);
+  test::step(*law, {state}, {}, kStep);
   EXPECT_NEAR(accelerationSeen(*law, state, {}), 0.0, 1e-12);
   state.velocity = {0.03, 0.0, 0.0};   // 3 m/s^2 over one step
   state.body_rate = {0.04, 0.0, 0.0};  // 4 rad/s^2
-  law->update(state, {}, kStep);
+  test::step(*law, {state}, {}, kStep);
   const double share = 1.0 - std::exp(-2.0 * M_PI * 10.0 * kStep);
   // The gains themselves moved a little during the first step.
   EXPECT_NEAR(accelerationSeen(*law, state, {}), 5.0 * share, 0.15);

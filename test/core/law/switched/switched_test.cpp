@@ -23,11 +23,11 @@ using test::thesisTree;
 using test::tooHigh;
 
 constexpr double kStep = 0.01;  // [s]
+const Eigen::Vector3d kResting(0.0, 0.0, kGravity);
 
 TEST(Switched, OneStepByHand) {
   const auto law = makeLaw(plainTree());
-  law->senseSpecificForce(kClimbing);
-  const Wrench wrench = law->update(tooHigh(), climb(), kStep);
+  const Wrench wrench = test::step(*law, {tooHigh(), kClimbing}, climb(), kStep);
   // rho = 0.1 + 0.2 * 0.5 + 0.3 * 0.25 + 0.4 * 2 + 0.5 + 0.25
   const double rho = 1.825;
   EXPECT_NEAR(wrench.thrust, 2.0 * (-0.3 - 0.4 - rho + 0.5), 1e-12);
@@ -55,11 +55,11 @@ TEST(Switched, OneStepByHand) {
 
 TEST(Switched, InsideTheBoundaryLayerTheRobustPartFades) {
   const auto law = makeLaw(plainTree());
-  law->senseSpecificForce({0.0, 0.0, kGravity});
   State state;
   state.position.z() = 0.1;  // r = 0.1 = varpi / 5
   const double rho = 0.1 + 0.2 * 0.1 + 0.3 * 0.01 + 0.75;
-  EXPECT_NEAR(law->update(state, {}, kStep).thrust, 2.0 * (-0.1 - rho * 0.2), 1e-12);
+  EXPECT_NEAR(test::step(*law, {state, kResting}, {}, kStep).thrust, 2.0 * (-0.1 - rho * 0.2),
+              1e-12);
 }
 
 // tau_phi and tau_theta are moment / arm length, tau_psi is a moment; r points as the errors do.
@@ -68,9 +68,10 @@ TEST(Switched, AttitudeInputsBecomeMoments) {
   test::EulerMotion motion;
   motion.q.tail<3>() = angles;
   const auto law = makeLaw(plainTree());
-  law->senseSpecificForce(test::specificForce(test::toState(motion),
-                                              {Eigen::Vector4d::Zero(), Eigen::Vector2d::Zero()}));
-  const Wrench wrench = law->update(test::toState(motion), {}, kStep);
+  const State state = test::toState(motion);
+  const Eigen::Vector3d still =
+      test::specificForce(state, {Eigen::Vector4d::Zero(), Eigen::Vector2d::Zero()});
+  const Wrench wrench = test::step(*law, {state, still}, {}, kStep);
   const double xi = angles.norm();
   const double rho = 0.1 + 0.2 * xi + 0.3 * xi * xi + 0.75;
   const Eigen::Vector3d expected = -angles - rho * angles / 0.5;
@@ -107,10 +108,9 @@ TEST(Switched, GainsAreIntegratedExactly) {
 TEST(Switched, ASwitchChangesOnlyTheLaw) {
   const auto law = makeLaw(thesisTree());
   const State state = tooHigh();
-  law->senseSpecificForce(kClimbing);
-  law->update(state, climb(), kStep);
+  test::step(*law, {state, kClimbing}, climb(), kStep);
   const SwitchedLaw before = law->law();
-  const double thrust = law->update(state, climb(), kStep).thrust;
+  const double thrust = test::step(*law, {state, kClimbing}, climb(), kStep).thrust;
   SwitchedInput in;
   in.error << 0.3, 0.0, 0.0, 0.0, 0.4, 0.0, 0.0, 0.0;
   in.desired_acceleration = {0.5, 0.0, 0.0, 0.0};
@@ -119,7 +119,7 @@ TEST(Switched, ASwitchChangesOnlyTheLaw) {
 
   ASSERT_TRUE(law->subsystems()->request(3, fromSeconds(1.0)).accepted());
   const SwitchedLaw at_switch = law->law();
-  const double switched = law->update(state, climb(), kStep).thrust;
+  const double switched = test::step(*law, {state, kClimbing}, climb(), kStep).thrust;
   EXPECT_NEAR(switched, at_switch.output(2, in).input[0], 1e-12);
   EXPECT_NE(switched, thrust);
   // Gains are continuous: those of the switch itself did not move.
@@ -130,8 +130,7 @@ TEST(Switched, ResetForgetsGainsButNotTheSubsystem) {
   const auto law = makeLaw(plainTree());
   const AdaptiveValues fresh = law->telemetry().adaptive;
   law->subsystems()->request(2, 0);
-  law->senseSpecificForce(kClimbing);
-  for (int i = 0; i < 10; ++i) law->update(tooHigh(), climb(), kStep);
+  for (int i = 0; i < 10; ++i) test::step(*law, {tooHigh(), kClimbing}, climb(), kStep);
   law->reset();
   EXPECT_TRUE(test::sameBits(AdaptiveValues(fresh.head(12)),
                              AdaptiveValues(law->telemetry().adaptive.head(12))));
@@ -141,14 +140,15 @@ TEST(Switched, ResetForgetsGainsButNotTheSubsystem) {
 
 TEST(Switched, NamesEveryAdaptiveValue) {
   const auto law = makeLaw(thesisTree());
-  const std::vector<std::string> names = law->adaptiveNames();
-  ASSERT_EQ(names.size(), 20u);
-  EXPECT_EQ(static_cast<std::size_t>(law->telemetry().adaptive.size()), names.size());
-  EXPECT_EQ(names[0], "theta_0[1]");
-  EXPECT_EQ(names[10], "zeta[2]");
-  EXPECT_EQ(names[17], "gamma[3]");
-  EXPECT_EQ(names[18], "active_subsystem");
-  EXPECT_EQ(names[19], "rho");
+  const std::vector<AdaptiveQuantity> all = law->adaptiveQuantities();
+  ASSERT_EQ(all.size(), 20u);
+  EXPECT_EQ(static_cast<std::size_t>(law->telemetry().adaptive.size()), all.size());
+  EXPECT_EQ(all[0], (AdaptiveQuantity{"theta_0[1]", "m/s\u00b2"}));
+  EXPECT_EQ(all[10], (AdaptiveQuantity{"zeta[2]", "m/s\u00b2"}));
+  EXPECT_EQ(all[15], (AdaptiveQuantity{"theta_3[3]", "1"}));
+  EXPECT_EQ(all[17], (AdaptiveQuantity{"gamma[3]", "m/s\u00b2"}));
+  EXPECT_EQ(all[18], (AdaptiveQuantity{"active_subsystem", ""}));
+  EXPECT_EQ(all[19], (AdaptiveQuantity{"rho", "m/s\u00b2"}));
   EXPECT_TRUE(std::isnan(law->telemetry().mass_estimate));
 }
 
@@ -164,13 +164,12 @@ TEST(Switched, StepAllocatesNothingWithEightSubsystems) {
   const SetPoint set_point = climb();
   const test::HeapCounter counter;
   for (int i = 0; i < 100; ++i) {
-    controller.senseSpecificForce(kClimbing);
     controller.subsystems()->request(1 + i % 9, i);
-    controller.step(state, &set_point, kStep);
+    controller.step({state, kClimbing}, &set_point, kStep);
   }
-  controller.step(state, nullptr, kStep);
+  controller.step({state}, nullptr, kStep);
   EXPECT_EQ(counter.count(), 0u);
-  EXPECT_TRUE(controller.law().needsImu());
+  EXPECT_TRUE(controller.law().usesSpecificForce());
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "adaptive_quadrotor_control/model/vehicle.h"
+
+namespace aqc {
+
+/// Where the rotors are, predicted from what they were told: each follows its command with the
+/// vehicle's time constant up or down, d omega_i/dt = (omega_i,cmd - omega_i) / tau, solved exactly
+/// for a command that is held.
+class RotorLag {
+ public:
+  /// All rotors stand still.
+  explicit RotorLag(const Vehicle& vehicle);
+
+  /// The rotors turn for `dt` seconds (> 0) under the speeds of `command` [rad/s]. A time constant
+  /// of 0 makes a rotor that is where it is told at once. Allocates nothing, never throws.
+  void turn(const RotorArray& command, double dt) noexcept;
+
+  const RotorArray& speeds() const noexcept { return speeds_; }  ///< omega_i [rad/s]
+
+ private:
+  double time_constant_up_;    // [s]
+  double time_constant_down_;  // [s]
+  RotorArray speeds_;
+  double dt_ = 0.0;  // that the decays belong to [s]
+  double decay_up_ = 0.0;
+  double decay_down_ = 0.0;
+};
+
+}  // namespace aqc

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
+#include "adaptive_quadrotor_control/pilot/flight_controller.h"
+#include "adaptive_quadrotor_control/pilot/imu_monitor.h"
+#include "adaptive_quadrotor_control/pilot/pilot_limits.h"
+#include "adaptive_quadrotor_control/reference/set_point_schedule.h"
+
+namespace aqc {
+
+/// What is to be published after something was heard.
+enum class Publish {
+  kNothing,
+  kLastCommand,  ///< the rotor speeds of the last step once more
+  kNewCommand,   ///< those of a step that was made just now
+};
+
+/// What became of a message.
+struct Answer {
+  Publish publish = Publish::kNothing;
+  const char* refusal = nullptr;  ///< why it was dropped, in a few words; null: it was taken
+  /// The clock of the odometry was started anew, and so was the pilot: see Pilot::hear().
+  bool began_anew = false;
+};
+
+/// The one path from messages to rotor speeds. Whoever flies feeds it and publishes what it says:
+/// the nodelet, the flight without ROS.
+///
+/// It has no clock: stamps are those of the messages, `now` is what the caller's clock shows; both
+/// in the same time. hear() and tick() neither allocate, block, log nor throw.
+class Pilot {
+ public:
+  /// `law` must not be null; `period` [ns] is that of the steps, > 0, else throws
+  /// std::invalid_argument.
+  Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanoseconds period,
+        StepClock::Trigger trigger, const PilotLimits& limits = {});
+
+  /// Odometry. Refused when it is not finite, not a pose, or of a time before the last one. Where
+  /// its clock was started anew (see StepClock::hear()) the law forgets what it learned, set points
+  /// and switches of the old time are gone, and the rotors stand still until a new set point comes.
+  Answer hear(const State& state, Nanoseconds stamp, Nanoseconds now) noexcept;
+  /// An accelerometer's sample at the origin of B, in B [m/s^2]: see ImuMonitor::take().
+  Answer hear(const Eigen::Vector3d& specific_force, Nanoseconds stamp) noexcept;
+  /// A period has passed; for Trigger::kTimer.
+  Publish tick(Nanoseconds now) noexcept;
+
+  /// Set points that replace all that was planned after `now`: see SetPointSchedule::replace(),
+  /// which also tells what is thrown. `stamp` is that of their message, for the record.
+  void plan(std::vector<TimedSetPoint> set_points, Nanoseconds now, Nanoseconds stamp);
+  /// When a trajectory stamped `stamp` begins: then or, if that is too long ago, now.
+  Nanoseconds beginning(Nanoseconds stamp, Nanoseconds now) const noexcept;
+  /// Set points were not understood and never came here.
+  void countRefusedSetPoints() noexcept;
+  /// A subsystem to switch to. False, and it is dropped, when too many wait already.
+  bool order(const SwitchOrder& order);
+  /// Puts `law` in and the old one in its place, between two steps (bumpless transfer). Empty, or
+  /// why another law cannot take over now; nothing has changed then.
+  std::string handOver(std::unique_ptr<ControlLaw>& law);
+
+  bool flying() const noexcept { return controller_.flying(); }
+  /// Of the last step.
+  const Allocation& allocation() const noexcept { return controller_.allocation(); }
+  const ControlLaw& law() const noexcept { return controller_.law(); }
+  /// The record of the last step, without what only a plant knows.
+  FlightSample sample() const;
+  /// Switches of the last step that were refused, or done against the dwell time.
+  const std::vector<SwitchReport>& objections() const noexcept { return objections_; }
+  const std::optional<SwitchReport>& lastObjection() const noexcept { return last_objection_; }
+  std::size_t switchesPending() const noexcept { return switches_.pending(); }
+  std::size_t setPointsPending() const noexcept { return schedule_.pending(); }
+  Nanoseconds setPointStamp() const noexcept { return set_point_stamp_; }
+  std::uint32_t droppedOdometry() const noexcept { return dropped_odometry_; }
+  std::uint32_t droppedSetPoints() const noexcept { return dropped_set_points_; }
+  const ImuMonitor& imu() const noexcept { return imu_; }
+  const StepClock& clock() const noexcept { return clock_; }
+
+  /// Health since the last judgement: see FlightMonitor::judge().
+  std::vector<Finding> judge(Nanoseconds now, double silence) {
+    return monitor_.judge(now, silence);
+  }
+
+ private:
+  void beginAnew() noexcept;
+  void step(Nanoseconds now) noexcept;
+  void switchSubsystem(Nanoseconds now) noexcept;
+  void sense(Nanoseconds now) noexcept;
+  bool awaitsImu(Nanoseconds stamp) const noexcept;
+
+  PilotLimits limits_;
+  StepClock clock_;
+  FlightController controller_;
+  FlightMonitor monitor_;
+  ImuMonitor imu_;
+  SetPointSchedule schedule_;
+  SwitchSchedule switches_;
+  Sensed sensed_;         // of the last good odometry
+  bool located_ = false;  // there was one
+  SetPoint set_point_;    // of the last step that had one
+  std::vector<SwitchReport> objections_;
+  std::optional<SwitchReport> last_objection_;
+  Nanoseconds set_point_stamp_ = 0;
+  std::uint32_t dropped_odometry_ = 0;
+  std::uint32_t dropped_set_points_ = 0;
+};
+
+}  // namespace aqc

@@ -1,0 +1,31 @@
+#include "adaptive_quadrotor_control/model/rotor_lag.h"
+
+#include <cmath>
+
+namespace aqc {
+namespace {
+
+double decay(double dt, double time_constant) {
+  return time_constant > 0.0 ? std::exp(-dt / time_constant) : 0.0;
+}
+
+}  // namespace
+
+RotorLag::RotorLag(const Vehicle& vehicle)
+    : time_constant_up_(vehicle.time_constant_up),
+      time_constant_down_(vehicle.time_constant_down),
+      speeds_(RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size()))) {}
+
+void RotorLag::turn(const RotorArray& command, double dt) noexcept {
+  if (dt != dt_) {  // a fixed step pays for the exponentials once
+    dt_ = dt;
+    decay_up_ = decay(dt, time_constant_up_);
+    decay_down_ = decay(dt, time_constant_down_);
+  }
+  for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
+    const double away = speeds_[i] - command[i];
+    speeds_[i] = command[i] + away * (away < 0.0 ? decay_up_ : decay_down_);
+  }
+}
+
+}  // namespace aqc
