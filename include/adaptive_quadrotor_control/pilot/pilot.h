@@ -79,7 +79,7 @@ class Pilot {
   std::uint32_t droppedOdometry() const noexcept { return dropped_odometry_; }
   std::uint32_t droppedSetPoints() const noexcept { return dropped_set_points_; }
   const ImuMonitor& imu() const noexcept { return imu_; }
-  const StepClock& clock() const noexcept { return clock_; }
+  const StepClock& stepClock() const noexcept { return clock_; }
 
   /// Health since the last judgement: see FlightMonitor::judge().
   std::vector<Finding> judge(Nanoseconds now, double silence) {

@@ -69,8 +69,8 @@ void ControllerNodelet::connect() {
       node.subscribe("command/trajectory", 10, &ControllerNodelet::onTrajectory, this, fast);
   pose_subscriber_ = node.subscribe("command/pose", 10, &ControllerNodelet::onPose, this, fast);
   connectLaw();
-  const bool by_timer = pilot_->clock().trigger() == StepClock::Trigger::kTimer;
-  const Nanoseconds period = pilot_->clock().period();
+  const bool by_timer = pilot_->stepClock().trigger() == StepClock::Trigger::kTimer;
+  const Nanoseconds period = pilot_->stepClock().period();
   if (by_timer) {
     timer_ = node.createTimer(ros::Duration().fromNSec(period), [this](const ros::TimerEvent&) {
       act(pilot_->tick(toNanoseconds(ros::Time::now())));
@@ -170,7 +170,7 @@ void ControllerNodelet::act(Publish publish) {
   if (publish == Publish::kNothing) return;
   const RotorArray& speeds = pilot_->allocation().speeds;
   const auto motors = boost::make_shared<msgs::Actuators>();
-  motors->header.stamp = toRosTime(pilot_->clock().odometryTime());
+  motors->header.stamp = toRosTime(pilot_->stepClock().odometryTime());
   motors->angular_velocities.assign(speeds.begin(), speeds.end());
   motor_publisher_.publish(motors);
   if (publish == Publish::kLastCommand) return;
@@ -193,7 +193,7 @@ void ControllerNodelet::tellOfImu() {
   if (usable) {
     NODELET_INFO("'%s' is there", topic.c_str());
   } else {
-    const Nanoseconds away = pilot_->clock().odometryTime() - pilot_->imu().time();
+    const Nanoseconds away = pilot_->stepClock().odometryTime() - pilot_->imu().time();
     NODELET_WARN("the last sample of '%s' is %.3f s away from the odometry: the law does without",
                  topic.c_str(), std::abs(toSeconds(away)));
   }

@@ -19,7 +19,7 @@ void fillSwitch(const Pilot& pilot, const SubsystemSwitch& subsystems,
     message.refused_subsystem = static_cast<std::uint8_t>(objection->order.subsystem);
     message.switch_refusal = toString(objection->verdict.outcome);
   }
-  message.next_switch_allowed = toRosTime(subsystems.earliest(pilot.clock().odometryTime()));
+  message.next_switch_allowed = toRosTime(subsystems.earliest(pilot.stepClock().odometryTime()));
 }
 
 }  // namespace
