@@ -103,7 +103,8 @@ void run(const Options& options) {
   if (!options.json.empty()) writeJson(options.json, logs, scenario);
   if (!options.no_plots) {
     ProgressBar progress("drawing figures");
-    drawFigures(folder, logs, scenario, vehicle, [&](double share) { progress.update(share); });
+    drawFigures(folder, logs, backdropOf(scenario), vehicle,
+                [&](double share) { progress.update(share); });
   }
   std::cout << (options.no_plots ? "CSV: " : "CSV and figures: ") << folder << "\n" << std::flush;
   if (!std::cout) throw std::runtime_error("cannot write to standard output");

@@ -22,7 +22,7 @@ class ClosedLoop {
   /// What the last advance() started from and decided.
   FlightSample sample() const;
   /// Switches refused, or done against the dwell time, so far.
-  const std::vector<TimedPlant::Refusal>& objections() const noexcept { return objections_; }
+  const std::vector<Refusal>& objections() const noexcept { return objections_; }
   const TimedPlant& plant() const noexcept { return plant_; }
   const FlightController& controller() const noexcept { return controller_; }
 
@@ -32,7 +32,7 @@ class ClosedLoop {
   TimedPlant plant_;
   FlightController controller_;
   SwitchSchedule switches_;
-  std::vector<TimedPlant::Refusal> objections_;
+  std::vector<Refusal> objections_;
   SetPointSchedule schedule_;
   Nanoseconds period_;
   Nanoseconds duration_;

@@ -1,8 +1,10 @@
-#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/metrics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "adaptive_quadrotor_control/flight/flight_log.h"
 
 namespace aqc {
 namespace {
@@ -20,7 +22,7 @@ std::optional<double> groundedFrom(const FlightLog& log) {
 
 }  // namespace
 
-FlightMetrics measure(const FlightLog& log, const Scenario& scenario) {
+FlightMetrics measure(const FlightLog& log, const MetricsWindow& window) {
   FlightMetrics metrics;
   Eigen::Array3d position = Eigen::Array3d::Zero();
   Eigen::Array3d attitude = Eigen::Array3d::Zero();
@@ -31,15 +33,15 @@ FlightMetrics measure(const FlightLog& log, const Scenario& scenario) {
     if (!sample.flying) continue;
     const double altitude_error = std::abs(sample.telemetry.position_error.z());
     metrics.final_lateral_error = sample.telemetry.position_error.head<2>().norm();
-    if (sample.time >= scenario.metrics_from) {
+    if (sample.time >= window.from) {
       position += sample.telemetry.position_error.array().square();
       attitude += sample.telemetry.attitude_error.array().square();
       ++count;
     }
-    if (sample.time >= scenario.lastPayloadChange()) {
+    if (sample.time >= window.last_payload_change) {
       metrics.peak_altitude_error = std::max(metrics.peak_altitude_error, altitude_error);
     }
-    if (sample.time >= scenario.duration - kSettledWindow) {
+    if (sample.time >= window.end - kSettledWindow) {
       settled += altitude_error;
       ++settled_count;
     }
@@ -53,7 +55,7 @@ FlightMetrics measure(const FlightLog& log, const Scenario& scenario) {
   metrics.settled_altitude_error = settled / settled_count;
   if (log.crash_time) metrics.crash_time = toSeconds(*log.crash_time);
   metrics.grounded_from = groundedFrom(log);
-  metrics.duration = toSeconds(scenario.duration);
+  metrics.duration = toSeconds(window.end);
   return metrics;
 }
 
