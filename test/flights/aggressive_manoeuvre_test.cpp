@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "support/fixtures.h"
 
 // Scenario 1 of the thesis, flown to its end by all three laws and compared with what it publishes.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "support/fixtures.h"
 
 /// config/scenario/vertical_lift.yaml as `fly` and the ROS nodes fly it: on the plant.

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "support/fixtures.h"
 
 // Scenario 2 of the thesis, flown to its end by all three laws and compared with what it publishes.

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <vector>
 
-#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/flight_sample.h"
+#include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
@@ -38,9 +39,5 @@ class ClosedLoop {
   Nanoseconds duration_;
   FlightSample last_;
 };
-
-/// Flies the scenario to its end. `progress` (may be empty) is told the share flown, 0 to 1.
-FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::string& controller_name,
-              std::unique_ptr<ControlLaw> law, const std::function<void(double)>& progress);
 
 }  // namespace aqc

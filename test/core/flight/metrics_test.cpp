@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/flight_meter.h"
 
 namespace aqc {
 namespace {
@@ -105,12 +107,58 @@ TEST(FlightMetrics, TellACrashAndTimeOnTheGround) {
   EXPECT_NEAR(*metrics.grounded_from, 17.3, 1e-12);
 }
 
-TEST(FlightMetrics, NeedSamplesInTheWindow) {
+TEST(FlightMetrics, AreNotGroundedWithoutASetPoint) {
   FlightLog log = steadyLog();
+  for (std::size_t i = index(17.0); i < log.samples.size(); ++i) log.samples[i].touching = true;
+  log.samples[index(18.0)].flying = false;
+  EXPECT_NEAR(*measure(log, kWindow).grounded_from, 18.1, 1e-12);
+  log.samples.back().flying = false;
+  EXPECT_FALSE(measure(log, kWindow).grounded_from.has_value());
+}
+
+TEST(FlightMetrics, FinalLateralErrorIsThatOfTheLastStepWithASetPoint) {
+  FlightLog log = steadyLog();
+  EXPECT_NEAR(measure(log, kWindow).final_lateral_error, 0.5, 1e-12);
+  log.samples[index(19.8)].telemetry.position_error = {-3.0, 4.0, 100.0};
+  log.samples[index(19.9)].flying = false;
+  EXPECT_NEAR(measure(log, kWindow).final_lateral_error, 5.0, 1e-12);
+}
+
+std::string refusalOf(const FlightLog& log) {
+  try {
+    measure(log, kWindow);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FlightMetrics, NeedAStepInTheWindowAndInItsLastSeconds) {
+  FlightLog log = steadyLog();
+  log.samples.resize(index(15.0));
+  EXPECT_EQ(refusalOf(log),
+            "the flight of 'test' has no step with a set point from 15 s to 20 s; its metrics "
+            "need at least one");
   log.samples.resize(index(9.0));
-  EXPECT_THROW(measure(log, kWindow), std::invalid_argument);
+  EXPECT_EQ(refusalOf(log).substr(0, 67),
+            "the flight of 'test' has no step with a set point from 10 s to 20 s");
   log.samples.clear();
-  EXPECT_THROW(measure(log, kWindow), std::invalid_argument);
+  EXPECT_FALSE(refusalOf(log).empty());
+}
+
+TEST(FlightMeter, TellsTheMetricsOfTheStepsSoFar) {
+  FlightLog log = steadyLog();
+  log.samples.back().telemetry.position_error.z() = 7.0;
+  FlightMeter meter(kWindow, "test");
+  for (const FlightSample& sample : log.samples) {
+    if (&sample == &log.samples.back()) {
+      EXPECT_NEAR(meter.metrics({}).peak_altitude_error, 0.5, 1e-12);
+    }
+    meter.add({sample.time, sample.flying, sample.touching, sample.telemetry.position_error,
+               sample.telemetry.attitude_error});
+  }
+  EXPECT_EQ(meter.metrics({}).peak_altitude_error, 7.0);
+  EXPECT_EQ(meter.metrics(fromSeconds(3.0)).crash_time, 3.0);
 }
 
 }  // namespace
