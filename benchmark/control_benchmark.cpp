@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
-#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "support/fixtures.h"
 
 namespace aqc {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/law/law_factory.h"
-#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "figures/flight_figures.h"
 #include "report/flight_files.h"
 #include "report/flight_table.h"
@@ -103,7 +103,8 @@ void run(const Options& options) {
   if (!options.json.empty()) writeJson(options.json, logs, scenario);
   if (!options.no_plots) {
     ProgressBar progress("drawing figures");
-    drawFigures(folder, logs, scenario, vehicle, [&](double share) { progress.update(share); });
+    drawFigures(folder, logs, backdropOf(scenario), vehicle,
+                [&](double share) { progress.update(share); });
   }
   std::cout << (options.no_plots ? "CSV: " : "CSV and figures: ") << folder << "\n" << std::flush;
   if (!std::cout) throw std::runtime_error("cannot write to standard output");

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <system_error>
-#include <variant>
 
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "figures/figure_script.h"
@@ -33,16 +32,11 @@ constexpr std::array<const char*, 5> kNames = {"position", "position_error", "at
                                                "adaptation", "rotors"};
 constexpr const char* kPathName = "path";
 
-std::vector<Figure::Phase> payloadPhases(const Scenario& scenario) {
+std::vector<Figure::Phase> payloadPhases(const Backdrop& backdrop) {
   std::vector<Figure::Phase> phases;
-  for (const PlantEvent& event : scenario.events) {
-    const double time = toSeconds(event.time);
-    if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
-      const std::string label = formatted("payload %g kg", attach->payload.mass);
-      phases.push_back({time, toSeconds(scenario.duration), label});
-    } else if (std::holds_alternative<DetachPayload>(event.action)) {
-      phases.back().to = time;
-    }
+  for (const Backdrop::PayloadPhase& payload : backdrop.payloads) {
+    phases.push_back({toSeconds(payload.from), toSeconds(payload.to.value_or(backdrop.duration)),
+                      formatted("payload %g kg", payload.mass)});
   }
   return phases;
 }
@@ -66,18 +60,18 @@ const VectorColumns kAttitudeError = {{"roll", "pitch", "yaw"}, "error_", nullpt
 // Makes the figures of one set of flights.
 class FigureBuilder {
  public:
-  FigureBuilder(const std::vector<FlightLog>& logs, const Scenario& scenario,
+  FigureBuilder(const std::vector<FlightLog>& logs, const Backdrop& backdrop,
                 const Vehicle& vehicle)
-      : scenario_(scenario), vehicle_(vehicle), duration_(toSeconds(scenario.duration)) {
+      : backdrop_(backdrop), vehicle_(vehicle), duration_(toSeconds(backdrop.duration)) {
     const std::vector<std::string> colours = flightColours(logs);
     for (std::size_t i = 0; i < logs.size(); ++i) {
-      flights_.push_back(plottedFlight(logs[i], scenario, colours[i]));
+      flights_.push_back(plottedFlight(logs[i], backdrop.duration, colours[i]));
     }
   }
 
   /// Where the flights went, in space; worth a figure where there is something to fly around.
   std::string path() const {
-    return scenario_.walls.empty() ? "" : pathScript(flights_, scenario_);
+    return backdrop_.walls.empty() ? "" : pathScript(flights_, backdrop_);
   }
 
   /// In the order of kNames, then those of switchingFigures() for the first flight that has
@@ -98,9 +92,9 @@ class FigureBuilder {
  private:
   Figure frame(const std::string& what) const {
     Figure figure;
-    figure.title = scenario_.title + " \u2013 " + what;
+    figure.title = backdrop_.title + " \u2013 " + what;
     figure.duration = duration_;
-    figure.phases = payloadPhases(scenario_);
+    figure.phases = payloadPhases(backdrop_);
     return figure;
   }
 
@@ -232,7 +226,7 @@ class FigureBuilder {
     return panel;
   }
 
-  const Scenario& scenario_;
+  const Backdrop& backdrop_;
   const Vehicle& vehicle_;
   double duration_;
   std::vector<PlottedFlight> flights_;
@@ -241,7 +235,7 @@ class FigureBuilder {
 }  // namespace
 
 std::vector<std::string> drawFigures(const std::string& folder, const std::vector<FlightLog>& logs,
-                                     const Scenario& scenario, const Vehicle& vehicle,
+                                     const Backdrop& backdrop, const Vehicle& vehicle,
                                      const std::function<void(double)>& progress) {
   std::vector<std::string> names = switchingFigureNames();
   names.insert(names.end(), kNames.begin(), kNames.end());
@@ -252,7 +246,7 @@ std::vector<std::string> drawFigures(const std::string& folder, const std::vecto
     fs::remove(fs::path(folder) / (name + ".gnuplot"), ignored);
   }
   if (logs.empty()) return {};
-  const FigureBuilder builder(logs, scenario, vehicle);
+  const FigureBuilder builder(logs, backdrop, vehicle);
   std::vector<GnuplotScript> scripts;
   for (const Figure& figure : builder.figures()) {
     if (!figure.panels.empty()) scripts.push_back({figure.name, figureScript(figure)});

@@ -6,11 +6,11 @@
 
 #include "adaptive_quadrotor_control/flight/flight_log.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
-#include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "report/backdrop.h"
 
 namespace aqc {
 
-/// Draws flights of one scenario with gnuplot into `folder`: position, position_error,
+/// Draws flights with gnuplot into `folder`: position, position_error,
 /// attitude_error, rotors and, when a law adapts anything, adaptation; instead of that for a law
 /// with subsystems switching and subsystem_1, .. Each figure is a PNG and the gnuplot script that
 /// made it, numbers included, for users to change and run again. Figures of these names from an
@@ -22,7 +22,7 @@ namespace aqc {
 /// std::runtime_error when gnuplot is missing (the scripts are there then) or fails, or when
 /// something cannot be written.
 std::vector<std::string> drawFigures(const std::string& folder, const std::vector<FlightLog>& logs,
-                                     const Scenario& scenario, const Vehicle& vehicle,
+                                     const Backdrop& backdrop, const Vehicle& vehicle,
                                      const std::function<void(double)>& progress);
 
 }  // namespace aqc

@@ -21,13 +21,11 @@ constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 // Everything that must be seen along one axis: set points, walls, and flights up to a little
 // beyond.
-Extent extentAlong(Eigen::Index axis, const Scenario& scenario) {
+Extent extentAlong(Eigen::Index axis, const Backdrop& backdrop) {
   Extent extent;
-  extent.include(scenario.start.position[axis]);
-  for (const TimedSetPoint& timed : scenario.set_points) {
-    extent.include(timed.set_point.position[axis]);
-  }
-  for (const Box& wall : scenario.walls) {
+  extent.include(backdrop.mission.min[axis]);
+  extent.include(backdrop.mission.max[axis]);
+  for (const Box& wall : backdrop.walls) {
     extent.include(wall.min[axis]);
     extent.include(wall.max[axis]);
   }
@@ -35,9 +33,9 @@ Extent extentAlong(Eigen::Index axis, const Scenario& scenario) {
   return {axis == 2 ? 0.0 : extent.low - margin, extent.high + margin};
 }
 
-void writeWalls(std::ostream& out, const Scenario& scenario, const View& view) {
+void writeWalls(std::ostream& out, const Backdrop& backdrop, const View& view) {
   int object = 1;
-  for (const Box& wall : scenario.walls) {
+  for (const Box& wall : backdrop.walls) {
     out << "set object " << object++ << " rectangle from " << wall.min[view.axes[0]] << ","
         << wall.min[view.axes[1]] << " to " << wall.max[view.axes[0]] << ","
         << wall.max[view.axes[1]]
@@ -78,9 +76,9 @@ void writeCrashes(std::ostream& out, const std::vector<PlottedFlight>& flights, 
 
 // Returns the names of the data blocks.
 std::vector<std::string> writePaths(std::ostream& out, const std::vector<Path>& paths,
-                                    const Scenario& scenario, const View& view) {
-  const double finest = std::min(extentAlong(view.axes[0], scenario).span(),
-                                 extentAlong(view.axes[1], scenario).span());
+                                    const Backdrop& backdrop, const View& view) {
+  const double finest = std::min(extentAlong(view.axes[0], backdrop).span(),
+                                 extentAlong(view.axes[1], backdrop).span());
   std::vector<std::string> blocks;
   for (const Path& path : paths) {
     blocks.push_back(std::string("$") + kAxes[static_cast<std::size_t>(view.axes[1])] + "_path" +
@@ -91,18 +89,18 @@ std::vector<std::string> writePaths(std::ostream& out, const std::vector<Path>& 
 }
 
 void writeView(std::ostream& out, const std::vector<PlottedFlight>& flights,
-               const Scenario& scenario, const View& view) {
+               const Backdrop& backdrop, const View& view) {
   std::vector<Path> paths;
   for (const PlottedFlight& flight : flights) {
     paths.push_back({flight, "", lineStyle(flight.colour, 2.4), flight.title});
   }
   paths.push_back({flights.front(), "set_", "lw 1.6 dt (9,6) lc rgb '#202020'", "set point"});
-  const std::vector<std::string> blocks = writePaths(out, paths, scenario, view);
-  writeWalls(out, scenario, view);
+  const std::vector<std::string> blocks = writePaths(out, paths, backdrop, view);
+  writeWalls(out, backdrop, view);
   writeCrashes(out, flights, view);
   const char* names[2] = {"x", "y"};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Extent extent = extentAlong(view.axes[i], scenario);
+    const Extent extent = extentAlong(view.axes[i], backdrop);
     out << "set " << names[i] << "range [" << extent.low << ":" << extent.high << "]\n"
         << "set " << names[i] << "label '" << kAxes[static_cast<std::size_t>(view.axes[i])]
         << " [m]'\n";
@@ -121,7 +119,7 @@ void writeView(std::ostream& out, const std::vector<PlottedFlight>& flights,
 
 }  // namespace
 
-std::string pathScript(const std::vector<PlottedFlight>& flights, const Scenario& scenario) {
+std::string pathScript(const std::vector<PlottedFlight>& flights, const Backdrop& backdrop) {
   std::ostringstream out;
   out << "# Draws path.png: gnuplot path.gnuplot\n"
       << "set terminal pngcairo noenhanced size 1600," << kHeight
@@ -130,8 +128,8 @@ std::string pathScript(const std::vector<PlottedFlight>& flights, const Scenario
       << "set border 3 lc rgb '#808080'\nset tics nomirror out scale 0.6 tc rgb '#303030'\n"
       << "set grid lc rgb '#dddddd' lw 1 lt 1\n"
       << "set multiplot layout 1,2 margins 0.06,0.98,0.09,0.88 spacing 0.07 title "
-      << quoted(scenario.title + " \u2013 path") << " font 'Sans Bold,17'\n";
-  for (const View& view : kViews) writeView(out, flights, scenario, view);
+      << quoted(backdrop.title + " \u2013 path") << " font 'Sans Bold,17'\n";
+  for (const View& view : kViews) writeView(out, flights, backdrop, view);
   out << "unset multiplot\n";
   return out.str();
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "adaptive_quadrotor_control/flight/metrics.h"
 #include "adaptive_quadrotor_control/math/number_text.h"
 
 namespace aqc {
@@ -71,10 +72,9 @@ std::optional<EndPoint> PlottedFlight::endPoint(const std::string& name, double 
   return point;
 }
 
-PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario,
-                            const std::string& colour) {
-  Scenario whole;  // of this flight, which may be shorter than others
-  whole.duration = log.samples.empty() ? 0 : std::min(scenario.duration, log.samples.back().time);
+PlottedFlight plottedFlight(const FlightLog& log, Nanoseconds duration, const std::string& colour) {
+  MetricsWindow whole;
+  whole.end = log.samples.empty() ? 0 : std::min(duration, log.samples.back().time);
   const FlightMetrics metrics = measure(log, whole);
   PlottedFlight flight;
   flight.log = &log;

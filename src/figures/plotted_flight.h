@@ -27,7 +27,7 @@ struct PlottedFlight {
   std::vector<FlightColumn> columns;
   std::string colour;
   std::string title;  ///< in the legend
-  double end = 0.0;   ///< when it crashed, otherwise its last sample, within the scenario [s]
+  double end = 0.0;   ///< when it crashed, otherwise its last sample, within the figure [s]
 
   const FlightColumn* find(const std::string& name) const;
   /// Of a column until `end`: what lies on the ground afterwards tells nothing.
@@ -38,8 +38,9 @@ struct PlottedFlight {
   std::optional<EndPoint> endPoint(const std::string& name, double scale) const;
 };
 
-PlottedFlight plottedFlight(const FlightLog& log, const Scenario& scenario,
-                            const std::string& colour);
+/// `duration` is that of the figure; this flight may be shorter. Throws std::invalid_argument as
+/// measure() does over the whole flight.
+PlottedFlight plottedFlight(const FlightLog& log, Nanoseconds duration, const std::string& colour);
 
 /// A colour a flight. The same law has the same colour whatever it is compared with; flights that
 /// are not named after a law have the next ones that are free.

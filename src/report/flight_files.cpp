@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "adaptive_quadrotor_control/flight/metrics.h"
 #include "report/flight_csv.h"
 
 namespace aqc {
@@ -35,7 +36,7 @@ nlohmann::json number(const std::optional<double>& value) {
 }
 
 nlohmann::json metricsJson(const FlightLog& log, const Scenario& scenario) {
-  const FlightMetrics metrics = measure(log, scenario);
+  const FlightMetrics metrics = measure(log, metricsWindow(scenario));
   nlohmann::json rms;
   for (std::size_t i = 0; i < 3; ++i) {
     rms[kAxes[i]] = number(metrics.rms.position[static_cast<Eigen::Index>(i)]);

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "adaptive_quadrotor_control/flight/metrics.h"
+
 namespace aqc {
 namespace {
 
@@ -173,7 +175,7 @@ std::string flightTable(const std::vector<FlightLog>& logs, const Scenario& scen
   std::string text = heading(logs, scenario, vehicle, style);
   bool ended_early = false;
   for (const FlightLog& log : logs) {
-    const FlightMetrics metrics = measure(log, scenario);
+    const FlightMetrics metrics = measure(log, metricsWindow(scenario));
     ended_early = ended_early || metrics.crash_time || metrics.grounded_from;
     text += paint(line(flownRow(log, metrics)), kBold, style) + "   " +
             outcome(log, metrics, style) + "\n";

@@ -24,13 +24,6 @@ std::vector<std::string> labels(const Recording& recording) {
           stem + " (" + path.parent_path().filename().string() + ")"};
 }
 
-// Where the next sample would have been: with it the last one has lasted as long as the others.
-Nanoseconds endOf(const FlightLog& log) {
-  const auto& samples = log.samples;
-  const Nanoseconds last = samples.back().time;
-  return samples.size() < 2 ? last : 2 * last - samples[samples.size() - 2].time;
-}
-
 }  // namespace
 
 void writeFlightSetting(const std::string& folder, const YAML::Node& scenario,
@@ -50,32 +43,15 @@ Recording readCsvRecording(const std::string& path) {
   const std::string setting = (fs::path(path).parent_path() / kSettingName).string();
   if (fs::exists(setting)) {
     const ParameterReader reader(loadYamlFile(setting), setting);
-    recording.scenario = readScenario(reader.child("scenario"));
+    recording.backdrop = backdropOf(readScenario(reader.child("scenario")));
     recording.vehicle = readVehicle(reader.child("vehicle"));
     reader.finish();
   } else {
-    recording.scenario = scenarioOf(recording.log, fs::path(path).stem().string());
+    recording.backdrop = backdropOf(recording.log, fs::path(path).stem().string());
     const Eigen::Index rotors = recording.log.samples.front().allocation.speeds.size();
     recording.vehicle.rotors.resize(static_cast<std::size_t>(rotors));
   }
   return recording;
-}
-
-Scenario scenarioOf(const FlightLog& log, const std::string& title) {
-  Scenario scenario;
-  scenario.name = scenario.title = title;
-  scenario.duration = endOf(log);
-  double mass = 0.0;
-  for (const FlightSample& sample : log.samples) {
-    if (sample.payload_mass == mass) continue;
-    if (mass > 0.0) scenario.events.push_back({sample.time, DetachPayload{}});
-    mass = sample.payload_mass;
-    if (mass == 0.0) continue;
-    AttachPayload attach;
-    attach.payload.mass = mass;
-    scenario.events.push_back({sample.time, attach});
-  }
-  return scenario;
 }
 
 void nameApart(std::vector<Recording>& recordings) {
@@ -92,14 +68,14 @@ void nameApart(std::vector<Recording>& recordings) {
       "curves are named by their files, and two of these are called the same:" + files);
 }
 
-Scenario jointScenario(const std::vector<Recording>& recordings) {
-  Scenario scenario = recordings.front().scenario;
+Backdrop jointBackdrop(const std::vector<Recording>& recordings) {
+  Backdrop joint = recordings.front().backdrop;
   for (const Recording& recording : recordings) {
-    scenario.duration = std::max(scenario.duration, recording.scenario.duration);
-    const std::string& title = recording.scenario.title;
-    if (scenario.title.find(title) == std::string::npos) scenario.title += " and " + title;
+    joint.duration = std::max(joint.duration, recording.backdrop.duration);
+    const std::string& title = recording.backdrop.title;
+    if (joint.title.find(title) == std::string::npos) joint.title += " and " + title;
   }
-  return scenario;
+  return joint;
 }
 
 Vehicle jointVehicle(const std::vector<Recording>& recordings) {

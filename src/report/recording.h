@@ -7,7 +7,7 @@
 
 #include "adaptive_quadrotor_control/flight/flight_log.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
-#include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "report/backdrop.h"
 
 namespace aqc {
 
@@ -15,8 +15,8 @@ namespace aqc {
 struct Recording {
   std::string path;
   FlightLog log;
-  Vehicle vehicle;    ///< mass and max_rotor_speed are 0 where the file does not tell them
-  Scenario scenario;  ///< at least title, duration and payload changes
+  Vehicle vehicle;  ///< mass and max_rotor_speed are 0 where the file does not tell them
+  Backdrop backdrop;
 };
 
 /// Writes `folder`/flight.yaml, the parameter trees of the scenario and of the vehicle that were
@@ -24,21 +24,18 @@ struct Recording {
 void writeFlightSetting(const std::string& folder, const YAML::Node& scenario,
                         const YAML::Node& vehicle);
 
-/// A CSV file of fly. Scenario and vehicle come from the file flight.yaml beside it; without that,
-/// the scenario is scenarioOf() and the vehicle has nothing but its rotors. Throws as
+/// A CSV file of fly. Backdrop and vehicle come from the file flight.yaml beside it; without that,
+/// the backdrop is what the samples tell and the vehicle has nothing but its rotors. Throws as
 /// readFlightCsv() does, and ParameterError for a flight.yaml that is wrong.
 Recording readCsvRecording(const std::string& path);
-
-/// What the samples tell of the scenario: its duration and when the payload changed.
-Scenario scenarioOf(const FlightLog& log, const std::string& title);
 
 /// Names each flight (`log.controller`) so that its legend tells it from the others: by its
 /// controller, or where two have the same by its file, or where that is the same too by file and
 /// folder. Throws std::runtime_error for one file given twice.
 void nameApart(std::vector<Recording>& recordings);
 
-/// The scenario of a figure that shows all of them: the first one's, as long as the longest.
-Scenario jointScenario(const std::vector<Recording>& recordings);
+/// That of a figure that shows all of them: the first one's, as long as the longest.
+Backdrop jointBackdrop(const std::vector<Recording>& recordings);
 
 /// The vehicle of such a figure: the first one whose mass is known, otherwise the first one.
 Vehicle jointVehicle(const std::vector<Recording>& recordings);

@@ -38,31 +38,4 @@ FlightSample ClosedLoop::sample() const {
   return sample;
 }
 
-FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::string& controller_name,
-              std::unique_ptr<ControlLaw> law, const std::function<void(double)>& progress) {
-  ClosedLoop loop(scenario, vehicle, std::move(law));
-  FlightLog log;
-  log.controller = controller_name;
-  for (const AdaptiveQuantity& quantity : loop.pilot().law().adaptiveQuantities()) {
-    log.adaptive_names.push_back(quantity.name);
-  }
-  if (const SubsystemSwitch* subsystems = loop.pilot().law().subsystems()) {
-    log.dwell_time = subsystems->text();
-  }
-  while (!loop.done()) {
-    loop.advance();
-    log.samples.push_back(loop.sample());
-    if (progress) {
-      progress(static_cast<double>(loop.plant().now()) / static_cast<double>(scenario.duration));
-    }
-  }
-  log.refusals = loop.plant().refusals();
-  log.refusals.insert(log.refusals.end(), loop.objections().begin(), loop.objections().end());
-  const auto earlier = [](const auto& a, const auto& b) { return a.time < b.time; };
-  std::stable_sort(log.refusals.begin(), log.refusals.end(), earlier);
-  log.crash_time = loop.plant().crashTime();
-  if (log.crash_time) log.crash_reason = toString(loop.plant().plant().crash());
-  return log;
-}
-
 }  // namespace aqc

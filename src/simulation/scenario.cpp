@@ -106,6 +106,10 @@ Nanoseconds Scenario::lastPayloadChange() const {
   return last;
 }
 
+MetricsWindow metricsWindow(const Scenario& scenario) {
+  return {scenario.metrics_from, scenario.lastPayloadChange(), scenario.duration};
+}
+
 Scenario readScenario(const ParameterReader& reader) {
   Scenario scenario;
   scenario.name = reader.text("name");

@@ -44,9 +44,7 @@ TEST(Figures, SubsystemsAreCountedInWholeNumbers) {
     sample.telemetry.adaptive = Eigen::Matrix<double, 1, 1>(i < 50 ? 1.0 : 2.0);
     log.samples.push_back(sample);
   }
-  Scenario scenario;
-  scenario.duration = fromSeconds(10.0);
-  const PlottedFlight flight = plottedFlight(log, scenario, paletteColour(0));
+  const PlottedFlight flight = plottedFlight(log, fromSeconds(10.0), paletteColour(0));
   Figure frame;
   frame.duration = 10.0;
   const std::vector<Figure> figures = switchingFigures(flight, frame);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "report/flight_columns.h"
 #include "support/fixtures.h"
 

@@ -227,7 +227,7 @@ TEST_F(ToolsInFolder, FiguresAreDrawnOrGnuplotIsMissed) {
                                        crashed("<false")};  // names gnuplot might act on
   writeFlightFiles(folder_.string(), logs);
   double done = 0.0;
-  const auto paths = drawFigures(folder_.string(), logs, scenario(), vehicle(),
+  const auto paths = drawFigures(folder_.string(), logs, backdropOf(scenario()), vehicle(),
                                  [&](double share) { done = share; });
   EXPECT_EQ(done, 1.0);
   ASSERT_EQ(paths.size(), 5u);
@@ -235,7 +235,8 @@ TEST_F(ToolsInFolder, FiguresAreDrawnOrGnuplotIsMissed) {
 
   const std::string path_before = getenv("PATH");
   setenv("PATH", folder_.c_str(), 1);
-  EXPECT_THROW(drawFigures(folder_.string(), logs, scenario(), vehicle(), {}), std::runtime_error);
+  EXPECT_THROW(drawFigures(folder_.string(), logs, backdropOf(scenario()), vehicle(), {}),
+               std::runtime_error);
   setenv("PATH", path_before.c_str(), 1);
   EXPECT_TRUE(fs::exists(folder_ / "position.gnuplot"));
   EXPECT_FALSE(fs::exists(folder_ / "position.png"));
@@ -271,15 +272,18 @@ TEST_F(ToolsInFolder, ACsvFileTellsItsFlight) {
   EXPECT_EQ(alone.log.controller, "mine");
   EXPECT_EQ(alone.vehicle.rotors.size(), 4u);
   EXPECT_EQ(alone.vehicle.mass, 0.0);
-  EXPECT_EQ(alone.scenario.title, "mine");
-  EXPECT_EQ(alone.scenario.duration, fromSeconds(10.0));
-  EXPECT_EQ(alone.scenario.lastPayloadChange(), fromSeconds(4.0));
+  EXPECT_EQ(alone.backdrop.title, "mine");
+  EXPECT_EQ(alone.backdrop.duration, fromSeconds(10.0));
+  ASSERT_EQ(alone.backdrop.payloads.size(), 1u);
+  EXPECT_EQ(alone.backdrop.payloads[0].from, fromSeconds(4.0));
+  EXPECT_FALSE(alone.backdrop.payloads[0].to);
+  EXPECT_EQ(alone.backdrop.payloads[0].mass, 0.5);
 
   const std::string config = configFolder();
   writeFlightSetting(folder_.string(), loadYamlFile(config + "/scenario/hover_payload.yaml"),
                      loadYamlFile(config + "/vehicle/pelican.yaml"));
   const Recording beside = readCsvRecording(path);
-  EXPECT_EQ(beside.scenario.name, "hover_payload");
+  EXPECT_EQ(beside.backdrop.title, loadScenario(config + "/scenario/hover_payload.yaml").title);
   EXPECT_EQ(beside.vehicle.mass, loadVehicle(config + "/vehicle/pelican.yaml").mass);
   writeFile((folder_ / "flight.yaml").string(), "scenario: 1\n");
   EXPECT_THROW(readCsvRecording(path), ParameterError);
@@ -294,13 +298,13 @@ TEST_F(ToolsInFolder, FlightsOfDifferentLengthAndAnUnknownVehicleAreDrawn) {
   std::vector<FlightLog> logs;
   nameApart(recordings);
   for (Recording& recording : recordings) {
-    recording.scenario = scenarioOf(recording.log, recording.log.controller);
+    recording.backdrop = backdropOf(recording.log, recording.log.controller);
     logs.push_back(recording.log);
   }
   EXPECT_EQ(jointVehicle(recordings).mass, 0.0);
   recordings[1].vehicle = vehicle();
   EXPECT_EQ(jointVehicle(recordings).name, "test bird");
-  const Scenario joint = jointScenario(recordings);
+  const Backdrop joint = jointBackdrop(recordings);
   EXPECT_EQ(joint.title, "short and long");
   EXPECT_EQ(joint.duration, fromSeconds(10.0));
   Vehicle unknown;

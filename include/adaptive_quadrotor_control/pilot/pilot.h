@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/flight_sample.h"
 #include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
 #include "adaptive_quadrotor_control/pilot/imu_monitor.h"

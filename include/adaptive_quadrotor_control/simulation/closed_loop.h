@@ -1,9 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <vector>
 
-#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/flight_sample.h"
+#include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
@@ -23,7 +24,7 @@ class ClosedLoop {
   /// What the last advance() started from and decided.
   FlightSample sample() const;
   /// Switches refused, or done against the dwell time, so far.
-  const std::vector<TimedPlant::Refusal>& objections() const noexcept { return objections_; }
+  const std::vector<Refusal>& objections() const noexcept { return objections_; }
   const TimedPlant& plant() const noexcept { return plant_; }
   const Pilot& pilot() const noexcept { return pilot_; }
 
@@ -38,14 +39,10 @@ class ClosedLoop {
 
   TimedPlant plant_;
   Pilot pilot_;
-  std::vector<TimedPlant::Refusal> objections_;
+  std::vector<Refusal> objections_;
   Nanoseconds period_;
   Nanoseconds duration_;
   Truth truth_;
 };
-
-/// Flies the scenario to its end. `progress` (may be empty) is told the share flown, 0 to 1.
-FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::string& controller_name,
-              std::unique_ptr<ControlLaw> law, const std::function<void(double)>& progress);
 
 }  // namespace aqc

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/flight/metrics.h"
 #include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
@@ -12,12 +12,6 @@
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 namespace aqc {
-
-/// Root-mean-square errors of a flight.
-struct RmsErrors {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d attitude = Eigen::Vector3d::Zero();  ///< of e_q: roll, pitch, yaw [deg]
-};
 
 /// What is flown: the whole of a config/scenario/*.yaml file.
 struct Scenario {
@@ -41,6 +35,9 @@ struct Scenario {
   /// When the payload, or the body that stands for one, last changed, or 0.
   Nanoseconds lastPayloadChange() const;
 };
+
+/// What the metrics of its flights are about.
+MetricsWindow metricsWindow(const Scenario& scenario);
 
 /// Reads and validates a scenario; does not call reader.finish(). Throws ParameterError.
 Scenario readScenario(const ParameterReader& reader);

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/simulation/cargo.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
@@ -74,10 +75,6 @@ class TimedPlant {
   /// Time of the first crash.
   std::optional<Nanoseconds> crashTime() const noexcept { return crash_time_; }
 
-  struct Refusal {
-    Nanoseconds time;
-    std::string reason;
-  };
   const std::vector<Refusal>& refusals() const noexcept { return refusals_; }
 
  private:

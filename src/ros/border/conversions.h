@@ -13,7 +13,7 @@
 
 #include "adaptive_quadrotor_control/ControllerState.h"
 #include "adaptive_quadrotor_control/PlantStatus.h"
-#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/flight_sample.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 
 // The border between ROS messages and the core: every conversion happens here and only once.

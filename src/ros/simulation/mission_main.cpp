@@ -28,7 +28,8 @@ int flyMission() {
   aqc::writeFlightSetting(out, aqc::parameterTree(node, "scenario"),
                           aqc::parameterTree(node, "vehicle"));
   aqc::writeJson(out + "/metrics.json", logs, mission.scenario());
-  if (plots) aqc::drawFigures(out, logs, mission.scenario(), mission.vehicle(), {});
+  if (plots)
+    aqc::drawFigures(out, logs, aqc::backdropOf(mission.scenario()), mission.vehicle(), {});
   return 0;
 }
 

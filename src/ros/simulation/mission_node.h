@@ -61,7 +61,7 @@ class MissionNode {
   bool collecting_ = false;
   Nanoseconds latest_ = 0;  // scenario time of the latest state
   std::vector<FlightSample> samples_;
-  std::vector<TimedPlant::Refusal> refusals_;
+  std::vector<Refusal> refusals_;
   std::uint32_t known_refusals_ = 0;
   PlantHistory truth_;  // by scenario time
 };

@@ -66,11 +66,11 @@ void run(const std::vector<std::string>& files, const std::string& folder) {
     writeCsv(recording, files, folder);
   }
   nameApart(recordings);
-  const Scenario scenario = jointScenario(recordings);
+  const Backdrop backdrop = jointBackdrop(recordings);
   const Vehicle vehicle = jointVehicle(recordings);
   std::vector<FlightLog> logs;
   for (Recording& recording : recordings) logs.push_back(std::move(recording.log));
-  for (const std::string& path : drawFigures(folder, logs, scenario, vehicle, {})) {
+  for (const std::string& path : drawFigures(folder, logs, backdrop, vehicle, {})) {
     std::cout << path << "\n";
   }
 }

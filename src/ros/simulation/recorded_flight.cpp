@@ -46,7 +46,7 @@ class Reader {
     for (FlightSample& sample : log_.samples) sample.time -= *begin_;
     if (log_.crash_time) *log_.crash_time -= *begin_;
     recording.log = std::move(log_);
-    recording.scenario = scenarioOf(recording.log, std::filesystem::path(path).stem().string());
+    recording.backdrop = backdropOf(recording.log, std::filesystem::path(path).stem().string());
     return recording;
   }
 

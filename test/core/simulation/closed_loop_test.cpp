@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "support/fixtures.h"
 
 namespace aqc {

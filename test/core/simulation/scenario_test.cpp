@@ -84,7 +84,19 @@ TEST(Scenario, ReadsEveryValue) {
   EXPECT_EQ(std::get<AttachPayload>(scenario.events[0].action).payload.mass, 0.5);
   EXPECT_EQ(scenario.lastPayloadChange(), 20'000'000'000);
   EXPECT_EQ(scenario.metrics_from, 10'000'000'000);
+  const MetricsWindow window = metricsWindow(scenario);
+  EXPECT_EQ(window.from, scenario.metrics_from);
+  EXPECT_EQ(window.last_payload_change, scenario.lastPayloadChange());
+  EXPECT_EQ(window.end, scenario.duration);
   EXPECT_EQ(scenario.published.at("asmc").position, Eigen::Vector3d(0.1, 0.2, 0.3));
+}
+
+TEST(Scenario, LastPayloadChangeIsThatOfTheLastAttachOrDetach) {
+  Scenario scenario;
+  EXPECT_EQ(scenario.lastPayloadChange(), 0);
+  scenario.events = {{fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}},
+                     {fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}}};
+  EXPECT_EQ(scenario.lastPayloadChange(), fromSeconds(8.0)) << "wind is no payload";
 }
 
 TEST(Scenario, PayloadsAreSolidBoxesUnlessTheirInertiaIsGiven) {

@@ -1,25 +1,19 @@
-#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/metrics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
-#include "support/fixtures.h"
+#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/flight_meter.h"
 
 namespace aqc {
 namespace {
 
 /// 20 s at 10 Hz; metrics count from 10 s, the payload changes at 8 s.
-Scenario scenario() {
-  Scenario scenario;
-  scenario.duration = fromSeconds(20.0);
-  scenario.metrics_from = fromSeconds(10.0);
-  const PlantEvent attach{fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}};
-  const PlantEvent wind{fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}};
-  scenario.events = {attach, wind};
-  return scenario;
-}
+const MetricsWindow kWindow = {fromSeconds(10.0), fromSeconds(8.0), fromSeconds(20.0)};
 
 FlightLog steadyLog() {
   FlightLog log;
@@ -41,7 +35,7 @@ std::size_t index(double seconds) {
 }
 
 TEST(FlightMetrics, RmsOfASteadyErrorIsTheError) {
-  const FlightMetrics metrics = measure(steadyLog(), scenario());
+  const FlightMetrics metrics = measure(steadyLog(), kWindow);
   EXPECT_LT((metrics.rms.position - Eigen::Vector3d(0.3, 0.4, 0.5)).norm(), 1e-12);
   const double degree = 180.0 / M_PI;
   EXPECT_LT((metrics.rms.attitude - degree * Eigen::Vector3d(0.1, 0.2, 0.3)).norm(), 1e-12);
@@ -58,7 +52,7 @@ TEST(FlightMetrics, RmsOfASineIsItsAmplitudeOverRootTwo) {
     const double phase = 2.0 * M_PI * toSeconds(sample.time);
     sample.telemetry.position_error = {std::sin(phase), 2.0 * std::cos(phase), 0.0};
   }
-  const FlightMetrics metrics = measure(log, scenario());
+  const FlightMetrics metrics = measure(log, kWindow);
   EXPECT_NEAR(metrics.rms.position.x(), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(metrics.rms.position.y(), std::sqrt(2.0), 1e-12);
 }
@@ -69,18 +63,18 @@ TEST(FlightMetrics, CountOnlyFromTheWindowOn) {
     log.samples[i].telemetry.position_error *= 100.0;
     log.samples[i].telemetry.attitude_error *= 100.0;
   }
-  EXPECT_NEAR(measure(log, scenario()).rms.position.z(), 0.5, 1e-12);
+  EXPECT_NEAR(measure(log, kWindow).rms.position.z(), 0.5, 1e-12);
   log.samples[index(10.0)].telemetry.position_error *= 2.0;
-  EXPECT_NEAR(measure(log, scenario()).rms.position.z(), 0.5 * std::sqrt(103.0 / 100.0), 1e-12)
+  EXPECT_NEAR(measure(log, kWindow).rms.position.z(), 0.5 * std::sqrt(103.0 / 100.0), 1e-12)
       << "the window's first sample counts";
 }
 
 TEST(FlightMetrics, PeakCountsFromTheLastPayloadChange) {
   FlightLog log = steadyLog();
   log.samples[index(7.9)].telemetry.position_error.z() = 9.0;
-  EXPECT_NEAR(measure(log, scenario()).peak_altitude_error, 0.5, 1e-12);
+  EXPECT_NEAR(measure(log, kWindow).peak_altitude_error, 0.5, 1e-12);
   log.samples[index(8.0)].telemetry.position_error.z() = -3.0;
-  EXPECT_NEAR(measure(log, scenario()).peak_altitude_error, 3.0, 1e-12) << "wind is no payload";
+  EXPECT_NEAR(measure(log, kWindow).peak_altitude_error, 3.0, 1e-12);
 }
 
 TEST(FlightMetrics, SettledErrorIsTheMeanOfTheLastFiveSeconds) {
@@ -88,7 +82,7 @@ TEST(FlightMetrics, SettledErrorIsTheMeanOfTheLastFiveSeconds) {
   for (std::size_t i = index(15.0); i < log.samples.size(); ++i) {
     log.samples[i].telemetry.position_error.z() = i % 2 == 0 ? 0.02 : -0.04;
   }
-  EXPECT_NEAR(measure(log, scenario()).settled_altitude_error, 0.03, 1e-12);
+  EXPECT_NEAR(measure(log, kWindow).settled_altitude_error, 0.03, 1e-12);
 }
 
 TEST(FlightMetrics, LeaveOutTimesWithoutASetPoint) {
@@ -97,33 +91,74 @@ TEST(FlightMetrics, LeaveOutTimesWithoutASetPoint) {
     log.samples[i].flying = false;
     log.samples[i].telemetry.position_error.setConstant(1e6);
   }
-  EXPECT_NEAR(measure(log, scenario()).rms.position.x(), 0.3, 1e-12);
-  EXPECT_NEAR(measure(log, scenario()).peak_altitude_error, 0.5, 1e-12);
+  EXPECT_NEAR(measure(log, kWindow).rms.position.x(), 0.3, 1e-12);
+  EXPECT_NEAR(measure(log, kWindow).peak_altitude_error, 0.5, 1e-12);
 }
 
 TEST(FlightMetrics, TellACrashAndTimeOnTheGround) {
   FlightLog log = steadyLog();
   log.crash_time = fromSeconds(16.25);
   for (std::size_t i = index(5.0); i < index(6.0); ++i) log.samples[i].touching = true;
-  EXPECT_FALSE(measure(log, scenario()).grounded_from.has_value()) << "it flew on";
+  EXPECT_FALSE(measure(log, kWindow).grounded_from.has_value()) << "it flew on";
   for (std::size_t i = index(17.3); i < log.samples.size(); ++i) log.samples[i].touching = true;
-  const FlightMetrics metrics = measure(log, scenario());
+  const FlightMetrics metrics = measure(log, kWindow);
   EXPECT_NEAR(*metrics.crash_time, 16.25, 1e-12);
   ASSERT_TRUE(metrics.grounded_from.has_value());
   EXPECT_NEAR(*metrics.grounded_from, 17.3, 1e-12);
 }
 
-TEST(FlightMetrics, NeedSamplesInTheWindow) {
+TEST(FlightMetrics, AreNotGroundedWithoutASetPoint) {
   FlightLog log = steadyLog();
-  log.samples.resize(index(9.0));
-  EXPECT_THROW(measure(log, scenario()), std::invalid_argument);
-  log.samples.clear();
-  EXPECT_THROW(measure(log, scenario()), std::invalid_argument);
+  for (std::size_t i = index(17.0); i < log.samples.size(); ++i) log.samples[i].touching = true;
+  log.samples[index(18.0)].flying = false;
+  EXPECT_NEAR(*measure(log, kWindow).grounded_from, 18.1, 1e-12);
+  log.samples.back().flying = false;
+  EXPECT_FALSE(measure(log, kWindow).grounded_from.has_value());
 }
 
-TEST(Scenario, LastPayloadChangeIsThatOfTheLastAttachOrDetach) {
-  EXPECT_EQ(scenario().lastPayloadChange(), fromSeconds(8.0));
-  EXPECT_EQ(Scenario().lastPayloadChange(), 0);
+TEST(FlightMetrics, FinalLateralErrorIsThatOfTheLastStepWithASetPoint) {
+  FlightLog log = steadyLog();
+  EXPECT_NEAR(measure(log, kWindow).final_lateral_error, 0.5, 1e-12);
+  log.samples[index(19.8)].telemetry.position_error = {-3.0, 4.0, 100.0};
+  log.samples[index(19.9)].flying = false;
+  EXPECT_NEAR(measure(log, kWindow).final_lateral_error, 5.0, 1e-12);
+}
+
+std::string refusalOf(const FlightLog& log) {
+  try {
+    measure(log, kWindow);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FlightMetrics, NeedAStepInTheWindowAndInItsLastSeconds) {
+  FlightLog log = steadyLog();
+  log.samples.resize(index(15.0));
+  EXPECT_EQ(refusalOf(log),
+            "the flight of 'test' has no step with a set point from 15 s to 20 s; its metrics "
+            "need at least one");
+  log.samples.resize(index(9.0));
+  EXPECT_EQ(refusalOf(log).substr(0, 67),
+            "the flight of 'test' has no step with a set point from 10 s to 20 s");
+  log.samples.clear();
+  EXPECT_FALSE(refusalOf(log).empty());
+}
+
+TEST(FlightMeter, TellsTheMetricsOfTheStepsSoFar) {
+  FlightLog log = steadyLog();
+  log.samples.back().telemetry.position_error.z() = 7.0;
+  FlightMeter meter(kWindow, "test");
+  for (const FlightSample& sample : log.samples) {
+    if (&sample == &log.samples.back()) {
+      EXPECT_NEAR(meter.metrics({}).peak_altitude_error, 0.5, 1e-12);
+    }
+    meter.add({sample.time, sample.flying, sample.touching, sample.telemetry.position_error,
+               sample.telemetry.attitude_error});
+  }
+  EXPECT_EQ(meter.metrics({}).peak_altitude_error, 7.0);
+  EXPECT_EQ(meter.metrics(fromSeconds(3.0)).crash_time, 3.0);
 }
 
 }  // namespace
