@@ -7,10 +7,11 @@ foreach(variable PYTHON_EXECUTABLE Python3_EXECUTABLE)
   endif()
 endforeach()
 
+# What a vehicle needs. Tools and display look for more: parts.cmake.
 find_package(catkin REQUIRED COMPONENTS
-  diagnostic_updater dynamic_reconfigure geometry_msgs interactive_markers message_generation nav_msgs nodelet pluginlib rosbag roscpp rosgraph_msgs sensor_msgs
-  std_msgs std_srvs tf2 tf2_geometry_msgs tf2_ros trajectory_msgs visualization_msgs)
-find_package(Threads REQUIRED)
+  diagnostic_updater dynamic_reconfigure geometry_msgs message_generation nav_msgs nodelet
+  pluginlib roscpp rosgraph_msgs sensor_msgs std_msgs std_srvs tf2 tf2_geometry_msgs tf2_ros
+  trajectory_msgs)
 
 add_message_files(FILES ActiveSubsystem.msg Actuators.msg ControllerState.msg PathProgress.msg PlantStatus.msg)
 add_service_files(FILES ApplyDisturbance.srv AttachPayload.srv DetachPayload.srv FlyPath.srv
@@ -22,9 +23,8 @@ generate_dynamic_reconfigure_options(
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES aqc_core
-  CATKIN_DEPENDS diagnostic_updater dynamic_reconfigure geometry_msgs interactive_markers message_runtime nav_msgs nodelet rosbag roscpp rosgraph_msgs sensor_msgs
-                 std_msgs std_srvs tf2 tf2_geometry_msgs tf2_ros trajectory_msgs visualization_msgs
-  DEPENDS EIGEN3)
+  CATKIN_DEPENDS geometry_msgs message_runtime nav_msgs std_msgs
+  DEPENDS EIGEN3 YAML_CPP)
 
 set(AQC_TESTS ${CATKIN_ENABLE_TESTING})
 set(AQC_LIB_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})

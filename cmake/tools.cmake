@@ -1,8 +1,5 @@
 # What people look at: tables and files (report), figures, and the command-line programs.
 
-find_package(CLI11 REQUIRED)
-find_package(nlohmann_json REQUIRED)
-
 file(GLOB report_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/report/*.cpp)
 add_library(aqc_report ${report_sources})
 target_compile_definitions(aqc_report PRIVATE AQC_SOURCE_CONFIG="${PROJECT_SOURCE_DIR}/config")

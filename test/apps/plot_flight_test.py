@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The program plot_flight as a user meets it, on files of fly.
 
-Environment: FLY and PLOT_FLIGHT, paths of the programs. Bags are drawn in test/ros/display_test.py.
+Environment: FLY and PLOT_FLIGHT, paths of the programs. Bags are drawn in test/ros/display/display_test.py.
 """
 
 import os

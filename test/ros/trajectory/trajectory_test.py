@@ -1,11 +1,14 @@
 #!/usr/bin/python3
 """Trajectories: every point acts at its time, refused ones change nothing."""
+import os
 import sys
 import unittest
 
 import rospy
 import rostest
-from uav import Uav, trajectory
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import Uav, trajectory  # noqa: E402
 
 
 class Trajectory(unittest.TestCase):

@@ -14,7 +14,9 @@ from adaptive_quadrotor_control.srv import AttachPayload
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Vector3
 from nav_msgs.msg import Odometry
-from uav import PACKAGE, Uav, odometry
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import PACKAGE, Uav, odometry  # noqa: E402
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 

@@ -10,7 +10,9 @@ import rospkg
 import rospy
 import rostest
 import yaml
-from uav import executable
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import executable  # noqa: E402
 
 CONFIG = os.path.join(rospkg.RosPack().get_path('adaptive_quadrotor_control'), 'config')
 NODELET = ['rosrun', 'nodelet', 'nodelet', 'standalone', 'adaptive_quadrotor_control/Controller',

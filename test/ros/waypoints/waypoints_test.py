@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The waypoint node: a path from a live hover, cancelled half way, refused when senseless."""
 import math
+import os
 import sys
 import unittest
 
@@ -11,7 +12,9 @@ from adaptive_quadrotor_control.srv import FlyPath
 from geometry_msgs.msg import Point, PoseStamped
 from nav_msgs.msg import Path
 from std_srvs.srv import Trigger
-from uav import Uav, yaw_quaternion
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import Uav, yaw_quaternion  # noqa: E402
 
 SPEED, ACCELERATION = 2.0, 2.0
 

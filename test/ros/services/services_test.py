@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The plant's services: payload, wind, reset."""
+import os
 import sys
 import unittest
 
@@ -9,7 +10,9 @@ from adaptive_quadrotor_control.msg import Actuators
 from adaptive_quadrotor_control.srv import AttachPayload, DetachPayload, SetWind
 from geometry_msgs.msg import Vector3
 from std_srvs.srv import Trigger
-from uav import Uav
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import Uav  # noqa: E402
 
 
 def service(name, kind):

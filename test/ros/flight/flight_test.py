@@ -10,7 +10,9 @@ import unittest
 
 import rospy
 import rostest
-from uav import PACKAGE, executable
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import PACKAGE, executable  # noqa: E402
 
 SAME = 1e-3  # [m]
 

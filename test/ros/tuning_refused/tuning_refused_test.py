@@ -17,7 +17,9 @@ import rostest
 from adaptive_quadrotor_control.msg import ControllerState
 from dynamic_reconfigure.client import Client
 from std_srvs.srv import Trigger
-from uav import PACKAGE, executable
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import PACKAGE, executable  # noqa: E402
 
 GAINS = '/uav/controller/gains'
 SCENARIO, STEPS = 'aggressive_manoeuvre', 11700

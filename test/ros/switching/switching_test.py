@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Switching by hand: what is legal happens, what is not is refused and named. And the IMU stops."""
+import os
 import sys
 import unittest
 
@@ -8,7 +9,9 @@ import rostest
 from adaptive_quadrotor_control.msg import ActiveSubsystem
 from sensor_msgs.msg import Imu
 from std_srvs.srv import Trigger
-from uav import Uav
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import Uav  # noqa: E402
 
 DWELL_TIME = 6.7597  # least average one of config/controller/switched.yaml [s]
 

@@ -12,7 +12,9 @@ import yaml
 from dynamic_reconfigure.client import Client
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
-from uav import PACKAGE, Uav
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import PACKAGE, Uav  # noqa: E402
 
 GAINS = '/uav/controller/gains'
 CONFIG = os.path.join(rospkg.RosPack().get_path(PACKAGE), 'config', 'controller')

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Hover by pose commands: rotors still before, on the spot afterwards, garbage ignored."""
+import os
 import sys
 import unittest
 
@@ -7,7 +8,9 @@ import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
-from uav import Uav, odometry
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import Uav, odometry  # noqa: E402
 
 
 class Hover(unittest.TestCase):

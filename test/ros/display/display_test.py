@@ -16,8 +16,10 @@ import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped
 from tf2_msgs.msg import TFMessage
-from uav import PACKAGE, Uav, executable
 from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from uav import PACKAGE, Uav, executable  # noqa: E402
 
 SHARE = rospkg.RosPack().get_path(PACKAGE)
 # Colours of the picture (red, green, blue), lit and unlit, and how many pixels there must be of them.
