@@ -12,7 +12,7 @@ namespace aqc {
 namespace {
 
 struct Moment {
-  State state;
+  Sensed sensed;
   SetPoint set_point;
 };
 
@@ -23,7 +23,7 @@ std::vector<Moment> recordFlight(const Vehicle& vehicle, const std::string& law)
   const FlightLog log = fly(scenario, vehicle, law, test::lawNamed(law, vehicle), {});
   std::vector<Moment> moments;
   for (const FlightSample& sample : log.samples) {
-    if (sample.time >= fromSeconds(50.0)) moments.push_back({sample.state, sample.set_point});
+    if (sample.time >= fromSeconds(50.0)) moments.push_back({{sample.state}, sample.set_point});
   }
   return moments;
 }
@@ -36,8 +36,7 @@ void controlStep(benchmark::State& state, const std::string& law) {
   std::size_t next = 0;
   for (auto _ : state) {
     const Moment& moment = moments[next];
-    benchmark::DoNotOptimize(
-        controller.step({moment.state}, &moment.set_point, 0.01).speeds.data());
+    benchmark::DoNotOptimize(controller.step(moment.sensed, &moment.set_point, 0.01).speeds.data());
     benchmark::ClobberMemory();
     if (++next == moments.size()) next = 0;
   }

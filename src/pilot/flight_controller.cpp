@@ -10,7 +10,7 @@ FlightController::FlightController(const Vehicle& vehicle, std::unique_ptr<Contr
 const Allocation& FlightController::step(const Sensed& sensed, const SetPoint* set_point,
                                          double dt) noexcept {
   flying_ = set_point != nullptr;
-  allocation_ = rotors_.allocate(flying_ ? law_->command(sensed, *set_point, dt) : Wrench());
+  rotors_.allocate(flying_ ? law_->command(sensed, *set_point, dt) : Wrench(), allocation_);
   lag_.turn(allocation_.speeds, dt);
   if (flying_) {
     law_->adapt({allocation_, lag_.speeds()}, dt);

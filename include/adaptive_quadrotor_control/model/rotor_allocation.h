@@ -33,6 +33,8 @@ class RotorAllocation {
   /// Never fails; a request that is not finite, or so large that its numbers overflow, gives zero
   /// speeds, reported as saturated.
   Allocation allocate(const Wrench& request) const noexcept;
+  /// The same, into an allocation that is there already.
+  void allocate(const Wrench& request, Allocation& result) const noexcept;
 
   /// The wrench of given rotor speeds [rad/s].
   Wrench wrench(const RotorArray& speeds) const noexcept;
@@ -41,7 +43,8 @@ class RotorAllocation {
   using Forward = Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::ColMajor, 4, kMaxRotors>;
   using Inverse = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, kMaxRotors, 4>;
 
-  bool feasible(const RotorArray& squared) const noexcept;
+  template <int Rotors>
+  void allocate(const Wrench& request, Allocation& result) const noexcept;
   void fit(const Wrench& request, RotorArray& squared) const noexcept;
 
   Forward forward_;           // squared speeds to (thrust, roll, pitch, yaw)

@@ -47,7 +47,7 @@ Switched::Switched(const ParameterReader& reader, const Vehicle& vehicle)
   report();
 }
 
-SwitchedInput Switched::sense(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept {
+void Switched::sense(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept {
   const State& state = sensed.state;
   const Eigen::Matrix3d R = state.attitude.toRotationMatrix();
   const EulerKinematics euler = eulerKinematics(R);
@@ -67,16 +67,14 @@ SwitchedInput Switched::sense(const Sensed& sensed, const SetPoint& set_point, d
   }
   const Eigen::Vector3d angular = euler.rate_matrix * rate_slope_.value();
 
-  SwitchedInput in;
-  in.error << telemetry_.position_error.z(), telemetry_.attitude_error,
+  in_.error << telemetry_.position_error.z(), telemetry_.attitude_error,
       telemetry_.velocity_error.z(), telemetry_.rate_error;
-  in.desired_acceleration = {set_point.acceleration.z(), 0.0, 0.0, 0.0};
-  in.acceleration = std::sqrt(linear.squaredNorm() + angular.squaredNorm());
-  return in;
+  in_.desired_acceleration = {set_point.acceleration.z(), 0.0, 0.0, 0.0};
+  in_.acceleration = std::sqrt(linear.squaredNorm() + angular.squaredNorm());
 }
 
 Wrench Switched::command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept {
-  in_ = sense(sensed, set_point, dt);
+  sense(sensed, set_point, dt);
   out_ = law_.output(switch_.active() - 1, in_);
   const Eigen::Vector4d& input = out_.input;
   telemetry_.force = input[0] * (sensed.state.attitude * Eigen::Vector3d::UnitZ());

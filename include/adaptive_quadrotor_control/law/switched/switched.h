@@ -58,7 +58,7 @@ class Switched final : public ControlLaw {
   const SwitchedLaw& law() const noexcept { return law_; }
 
  private:
-  SwitchedInput sense(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept;
+  void sense(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept;
   void report() noexcept;
 
   double arm_length_;  // l [m]
