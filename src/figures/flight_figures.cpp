@@ -35,14 +35,16 @@ constexpr const char* kPathName = "path";
 
 std::vector<Figure::Phase> payloadPhases(const Scenario& scenario) {
   std::vector<Figure::Phase> phases;
-  for (const PlantEvent& event : scenario.events) {
+  for (const PlantEvent& event : scenario.mission.events) {
     const double time = toSeconds(event.time);
-    if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
-      const std::string label = formatted("payload %g kg", attach->payload.mass);
-      phases.push_back({time, toSeconds(scenario.duration), label});
-    } else if (std::holds_alternative<DetachPayload>(event.action)) {
-      phases.back().to = time;
-    }
+    const Overloaded add{
+        [&](const AttachPayload& attach) {
+          const std::string label = formatted("payload %g kg", attach.payload.mass);
+          phases.push_back({time, toSeconds(scenario.duration), label});
+        },
+        [&](const DetachPayload&) { phases.back().to = time; }, [](const SetWind&) {},
+        [](const SetBody&) {}, [](const ApplyDisturbance&) {}};
+    std::visit(add, event.action);
   }
   return phases;
 }
@@ -77,7 +79,7 @@ class FigureBuilder {
 
   /// Where the flights went, in space; worth a figure where there is something to fly around.
   std::string path() const {
-    return scenario_.walls.empty() ? "" : pathScript(flights_, scenario_);
+    return scenario_.world.walls.empty() ? "" : pathScript(flights_, scenario_);
   }
 
   /// In the order of kNames, then those of switchingFigures() for the first flight that has

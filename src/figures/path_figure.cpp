@@ -23,11 +23,11 @@ constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 // beyond.
 Extent extentAlong(Eigen::Index axis, const Scenario& scenario) {
   Extent extent;
-  extent.include(scenario.start.position[axis]);
-  for (const TimedSetPoint& timed : scenario.set_points) {
+  extent.include(scenario.world.start.position[axis]);
+  for (const TimedSetPoint& timed : scenario.mission.set_points) {
     extent.include(timed.set_point.position[axis]);
   }
-  for (const Box& wall : scenario.walls) {
+  for (const Box& wall : scenario.world.walls) {
     extent.include(wall.min[axis]);
     extent.include(wall.max[axis]);
   }
@@ -37,7 +37,7 @@ Extent extentAlong(Eigen::Index axis, const Scenario& scenario) {
 
 void writeWalls(std::ostream& out, const Scenario& scenario, const View& view) {
   int object = 1;
-  for (const Box& wall : scenario.walls) {
+  for (const Box& wall : scenario.world.walls) {
     out << "set object " << object++ << " rectangle from " << wall.min[view.axes[0]] << ","
         << wall.min[view.axes[1]] << " to " << wall.max[view.axes[0]] << ","
         << wall.max[view.axes[1]]

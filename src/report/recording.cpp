@@ -68,12 +68,12 @@ Scenario scenarioOf(const FlightLog& log, const std::string& title) {
   double mass = 0.0;
   for (const FlightSample& sample : log.samples) {
     if (sample.payload_mass == mass) continue;
-    if (mass > 0.0) scenario.events.push_back({sample.time, DetachPayload{}});
+    if (mass > 0.0) scenario.mission.events.push_back({sample.time, DetachPayload{}});
     mass = sample.payload_mass;
     if (mass == 0.0) continue;
     AttachPayload attach;
     attach.payload.mass = mass;
-    scenario.events.push_back({sample.time, attach});
+    scenario.mission.events.push_back({sample.time, attach});
   }
   return scenario;
 }

@@ -7,14 +7,13 @@ namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
                        std::unique_ptr<ControlLaw> law)
-    : plant_(Plant(vehicle, scenario.start, scenario.walls, scenario.ground), scenario.cargo,
-             scenario.plant_step),
+    : plant_(makePlant(vehicle, scenario.world), scenario.world.cargo, scenario.world.plant_step),
       controller_(vehicle, std::move(law)),
-      schedule_(scenario.set_points),
-      period_(scenario.control_period),
+      schedule_(scenario.mission.set_points),
+      period_(scenario.world.control_period),
       duration_(scenario.duration) {
-  for (const PlantEvent& event : scenario.events) plant_.schedule(event);
-  for (const SwitchOrder& order : scenario.switches) switches_.plan(order);
+  for (const PlantEvent& event : scenario.mission.events) plant_.schedule(event);
+  for (const SwitchOrder& order : scenario.mission.switches) switches_.plan(order);
 }
 
 void ClosedLoop::switchSubsystem() {

@@ -8,6 +8,7 @@
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/model/rotor_allocation.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 namespace aqc {
 

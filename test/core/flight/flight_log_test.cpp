@@ -17,7 +17,7 @@ Scenario scenario() {
   scenario.metrics_from = fromSeconds(10.0);
   const PlantEvent attach{fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}};
   const PlantEvent wind{fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}};
-  scenario.events = {attach, wind};
+  scenario.mission.events = {attach, wind};
   return scenario;
 }
 

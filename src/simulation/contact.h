@@ -5,21 +5,13 @@
 #include <limits>
 #include <vector>
 
+#include "adaptive_quadrotor_control/model/force_moment.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/simulation/box.h"
+#include "adaptive_quadrotor_control/simulation/crash.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
 
 namespace aqc {
-
-/// Why a flight ended on the ground.
-enum class Crash { kNone, kHardImpact, kTiltedContact, kRotorStrike, kWallStrike };
-const char* toString(Crash crash);
-
-/// Force and moment about the centre of mass.
-struct ForceMoment {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< in W [N]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< in B [N m]
-};
 
 /// Contact of a vehicle and its payload with the flat ground z = 0 (unless there is none, as in a
 /// study of free flight that starts at z = 0) and with walls, at points: four
