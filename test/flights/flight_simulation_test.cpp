@@ -57,8 +57,10 @@ TEST(MeasuredFlights, TellThatTheVehicleStayedOnTheGround) {
   scenario.duration = fromSeconds(20.0);
   scenario.metrics_from = 0;
   scenario.mission.events = {};
-  for (TimedSetPoint& timed : scenario.mission.set_points) timed.set_point.position.z() = -1.0;
+  const Eigen::Vector3d below = scenario.world.start.position - Eigen::Vector3d::UnitZ();
+  for (TimedSetPoint& timed : scenario.mission.set_points) timed.set_point.position = below;
   const FlightMetrics metrics = flyBothWays(scenario, "asmc");
+  EXPECT_FALSE(metrics.crash_time);
   EXPECT_EQ(metrics.grounded_from, toSeconds(scenario.mission.set_points.front().time));
 }
 
@@ -82,6 +84,21 @@ TEST(MeasuredFlights, NeedAStepWithASetPointAsTheLogDoes) {
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find(scenario.name), std::string::npos) << error.what();
   }
+}
+
+TEST(LoggedFlights, TellRefusalsOfPlantAndSwitchesByTime) {
+  Scenario scenario = scenarioNamed("vertical_lift");
+  scenario.duration = fromSeconds(4.0);
+  scenario.cargo = {{"far", test::box(0.5), {100.0, 0.0, 0.05}, Eigen::Vector3d::Zero()}};
+  scenario.events = {{fromSeconds(2.5), AttachPayload{"far", test::box(0.5)}}};
+  scenario.switches = {{fromSeconds(2.0), 8}, {fromSeconds(3.0), 8}};
+  const Vehicle vehicle = test::vehicleNamed(scenario.vehicle);
+  const FlightLog log = fly(scenario, vehicle, "switched", test::lawNamed("switched", vehicle), {});
+  ASSERT_EQ(log.refusals.size(), 3u);
+  EXPECT_EQ(log.refusals[0].time, fromSeconds(2.0));
+  EXPECT_EQ(log.refusals[1].time, fromSeconds(2.5));
+  EXPECT_NE(log.refusals[1].reason.find("far"), std::string::npos);
+  EXPECT_EQ(log.refusals[2].time, fromSeconds(3.0));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "adaptive_quadrotor_control/flight/flight_log.h"
 #include "adaptive_quadrotor_control/flight/flight_meter.h"
+#include "support/heap_counter.h"
 
 namespace aqc {
 namespace {
@@ -159,6 +160,15 @@ TEST(FlightMeter, TellsTheMetricsOfTheStepsSoFar) {
   }
   EXPECT_EQ(meter.metrics({}).peak_altitude_error, 7.0);
   EXPECT_EQ(meter.metrics(fromSeconds(3.0)).crash_time, 3.0);
+}
+
+TEST(FlightMeter, AllocatesNothingInFlight) {
+  if (!test::canCountHeap()) GTEST_SKIP() << "the allocator cannot be watched here";
+  FlightMeter meter(kWindow, "a flight whose name is too long to be kept in place");
+  const Eigen::Vector3d error(0.3, 0.4, 0.5);
+  const test::HeapCounter counter;
+  for (int i = 0; i < 200; ++i) meter.add({i * fromSeconds(0.1), true, true, error, error});
+  EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace
