@@ -29,12 +29,14 @@ class Asmc final : public CascadedLaw {
                          double dt) noexcept override;
   void report(Telemetry& telemetry) const noexcept override;
 
+  struct Words;
+
   // One loop's law without its feed-forward: -Lambda s - rho sat(s, varpi), where
   // rho = sum_i K_i ||xi||^i and each K_i adapts with ||s|| ||xi||^i.
   template <std::size_t Count>
   class Loop {
    public:
-    explicit Loop(const ParameterReader& reader);
+    Loop(const ParameterReader& reader, const Words& words);
     Eigen::Vector3d update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate, double dt,
                            Eigen::Vector3d& sliding) noexcept;
     void reset() noexcept;

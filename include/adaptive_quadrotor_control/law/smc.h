@@ -23,8 +23,9 @@ class Smc final : public CascadedLaw {
                          double dt) noexcept override;
   void report(Telemetry&) const noexcept override {}
 
+  struct Words;
   struct Loop {
-    explicit Loop(const ParameterReader& reader);
+    Loop(const ParameterReader& reader, const Words& words);
     Eigen::Vector3d update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
                            const Eigen::Vector3d& feed_forward,
                            Eigen::Vector3d& sliding) const noexcept;
