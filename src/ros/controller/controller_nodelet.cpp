@@ -36,7 +36,6 @@ void ControllerNodelet::onInit() {
 
 void ControllerNodelet::configure() {
   const Vehicle vehicle = readParameters(getNodeHandle(), "vehicle", readVehicle);
-  getPrivateNodeHandle().deleteParam("tuning");  // what the tuner of an earlier run left behind
   const ParameterReader own = parameterReader(getPrivateNodeHandle(), "");
   const double default_rate = getNodeHandle().param("scenario/control_rate", 250.0);
   const Nanoseconds period =
