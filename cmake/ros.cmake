@@ -17,8 +17,6 @@ add_message_files(FILES ActiveSubsystem.msg Actuators.msg ControllerState.msg Pa
 add_service_files(FILES ApplyDisturbance.srv AttachPayload.srv DetachPayload.srv FlyPath.srv
                         SetBody.srv SetWind.srv)
 generate_messages(DEPENDENCIES geometry_msgs nav_msgs std_msgs)
-generate_dynamic_reconfigure_options(
-  cfg/Asmc.cfg cfg/Geometric.cfg cfg/Smc.cfg cfg/Switched.cfg)
 
 catkin_package(
   INCLUDE_DIRS include

@@ -10,25 +10,44 @@ namespace {
 
 template <std::size_t... Index>
 std::array<AdaptiveGain, sizeof...(Index)> readGains(const ParameterReader& reader,
+                                                     const std::string& index,
+                                                     const std::string& unit,
                                                      std::index_sequence<Index...>) {
   constexpr std::size_t kCount = sizeof...(Index);
-  const std::vector<double> initial = reader.numbers("initial_gains", kCount, Range::positive());
-  const std::vector<double> leak = reader.numbers("leak", kCount, Range::positive());
+  const std::vector<double> leak = reader.numbers(
+      {"leak", "alpha_" + index, "1/s", "forgetting of K_" + index}, kCount, Range::positive());
+  const std::vector<double> initial = reader.numbers(
+      {"initial_gains", "K_" + index, unit, "at the start"}, kCount, Range::positive());
   return {AdaptiveGain(initial[Index], leak[Index])...};
 }
 
 AdaptiveGain readMass(const ParameterReader& reader) {
-  return {reader.number("initial", Range::positive()), reader.number("leak", Range::positive())};
+  const double leak = reader.number(
+      {"leak", "alpha_m", "1/s", "forgetting of the mass; a steady sag grows with it"},
+      Range::positive());
+  return {reader.number({"initial", "m-hat", "kg", "at the start"}, Range::positive()), leak};
 }
 
 }  // namespace
 
+// What a loop's gains are called and measured in.
+struct Asmc::Words {
+  std::string index;    // of a symbol
+  std::string damping;  // unit of Lambda
+  std::string rate;     // unit of s
+  std::string push;     // units of K_0, K_1 ...
+};
+
 template <std::size_t Count>
-Asmc::Loop<Count>::Loop(const ParameterReader& reader)
-    : slope_(reader.positiveDefinite("slope")),
-      gain_(reader.positiveDefinite("gain")),
-      boundary_layer_(reader.number("boundary_layer", Range::positive())),
-      gains_(readGains(reader, std::make_index_sequence<Count>())) {}
+Asmc::Loop<Count>::Loop(const ParameterReader& reader, const Words& words)
+    : slope_(reader.positiveDefinite({"slope", "Phi_" + words.index, "1/s",
+                                      "how fast the error decays on the sliding surface"})),
+      gain_(reader.positiveDefinite(
+          {"gain", "Lambda_" + words.index, words.damping, "damping towards the surface"})),
+      boundary_layer_(reader.number({"boundary_layer", "varpi_" + words.index, words.rate,
+                                     "smooths sgn(s); smaller is stiffer"},
+                                    Range::positive())),
+      gains_(readGains(reader, words.index, words.push, std::make_index_sequence<Count>())) {}
 
 template <std::size_t Count>
 Eigen::Vector3d Asmc::Loop<Count>::output(const Eigen::Vector3d& error,
@@ -65,8 +84,8 @@ void Asmc::Loop<Count>::adopt(const Loop& old) noexcept {
 
 Asmc::Asmc(const ParameterReader& reader)
     : CascadedLaw(reader),
-      position_(reader.child("position")),
-      attitude_(reader.child("attitude")),
+      position_(reader.child("position"), {"p", "N s/m", "m/s", "N, N/|xi|"}),
+      attitude_(reader.child("attitude"), {"q", "N m s/rad", "rad/s", "N m, N m/|xi|, N m/|xi|^2"}),
       mass_(readMass(reader.child("mass_estimate"))) {
   report();
 }

@@ -3,8 +3,11 @@
 namespace aqc {
 
 CascadedLaw::CascadedLaw(const ParameterReader& reader)
-    : limits_{reader.angle("max_tilt_deg", Range::positiveUpTo(89.0)),
-              reader.number("min_lift", Range::positive())} {}
+    : limits_{reader.angle({"max_tilt_deg", "", "deg", "largest tilt commanded"},
+                           Range::positiveUpTo(89.0)),
+              reader.number(
+                  {"min_lift", "", "N", "least vertical force that decides the commanded attitude"},
+                  Range::positive())} {}
 
 Wrench CascadedLaw::command(const Sensed& sensed, const SetPoint& set_point, double) noexcept {
   const State& state = sensed.state;

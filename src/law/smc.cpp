@@ -4,12 +4,32 @@
 
 namespace aqc {
 
-Smc::Loop::Loop(const ParameterReader& reader)
-    : slope(reader.vector3("slope", Range::positive())),
-      reaching_gain(reader.vector3("reaching_gain", Range::positive())),
-      nominal(reader.vector3("nominal", Range::positive())),
-      payload_bound(reader.vector3("payload_bound", Range::nonNegative())),
-      boundary_layer(reader.number("boundary_layer", Range::positive())) {}
+// What a loop's gains are called and measured in.
+struct Smc::Words {
+  std::string index;  // of a symbol
+  std::string push;   // unit of the command
+  std::string rate;   // unit of s
+  std::string nominal;
+  std::string inertia;  // unit of M0
+  std::string told;     // what M0 is
+};
+
+Smc::Loop::Loop(const ParameterReader& reader, const Words& words)
+    : slope(reader.vector3({"slope", "Phi_" + words.index, "1/s",
+                            "how fast the error decays on the sliding surface"},
+                           Range::positive())),
+      reaching_gain(reader.vector3(
+          {"reaching_gain", "eta_" + words.index, words.push, "push towards the surface"},
+          Range::positive())),
+      nominal(reader.vector3(
+          {"nominal", words.nominal, words.inertia, "the " + words.told + " it is told"},
+          Range::positive())),
+      payload_bound(reader.vector3({"payload_bound", "F_" + words.index, words.inertia,
+                                    "what the heaviest payload adds to the " + words.told},
+                                   Range::nonNegative())),
+      boundary_layer(reader.number({"boundary_layer", "varpi_" + words.index, words.rate,
+                                    "smooths sgn(s); smaller is stiffer"},
+                                   Range::positive())) {}
 
 Eigen::Vector3d Smc::Loop::update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
                                   const Eigen::Vector3d& feed_forward,
@@ -22,8 +42,8 @@ Eigen::Vector3d Smc::Loop::update(const Eigen::Vector3d& error, const Eigen::Vec
 
 Smc::Smc(const ParameterReader& reader)
     : CascadedLaw(reader),
-      position_(reader.child("position")),
-      attitude_(reader.child("attitude")) {}
+      position_(reader.child("position"), {"p", "N", "m/s", "m0", "kg", "mass"}),
+      attitude_(reader.child("attitude"), {"q", "N m", "rad/s", "J0", "kg m^2", "inertia"}) {}
 
 Eigen::Vector3d Smc::force(const PositionErrors& errors, const SetPoint& set_point) noexcept {
   const Eigen::Vector3d feed_forward = set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ();

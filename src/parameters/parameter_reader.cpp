@@ -1,6 +1,5 @@
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
-#include <cmath>
 #include <fstream>
 #include <utility>
 
@@ -8,8 +7,6 @@
 
 namespace aqc {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;  // [rad]
 
 std::string print(const YAML::Node& node) {
   if (node.IsScalar()) return "'" + node.Scalar() + "'";
@@ -19,12 +16,6 @@ std::string print(const YAML::Node& node) {
   const std::string text = out.c_str();
   constexpr std::size_t kLongest = 120;  // a number for each of 16 rotors fits
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
-}
-
-std::string join(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
 }
 
 // YAML allows lists and maps for keys, too.
@@ -57,22 +48,13 @@ void refuseUnknown(const YAML::Node& node, const std::string& name,
 
 }  // namespace
 
-bool Range::contains(double value) const {
-  return std::isfinite(value) && value <= max && (exclusive_min ? value > min : value >= min);
-}
-
-std::string Range::text() const {
-  std::string text = "a finite number";
-  if (std::isfinite(min)) text += (exclusive_min ? " > " : " >= ") + numberText(min);
-  if (std::isfinite(max)) text += (std::isfinite(min) ? " and <= " : " <= ") + numberText(max);
-  return text;
-}
-
 ParameterReader::ParameterReader(YAML::Node tree, std::string name)
-    : ParameterReader(std::move(tree), std::move(name), std::make_shared<Names>()) {}
+    : ParameterReader(std::move(tree), name, std::make_shared<Heard>()) {
+  heard_->root = std::move(name);
+}
 
-ParameterReader::ParameterReader(YAML::Node tree, std::string name, std::shared_ptr<Names> known)
-    : tree_(std::move(tree)), name_(std::move(name)), known_(std::move(known)) {
+ParameterReader::ParameterReader(YAML::Node tree, std::string name, std::shared_ptr<Heard> heard)
+    : tree_(std::move(tree)), name_(std::move(name)), heard_(std::move(heard)) {
   if (!tree_.IsMap()) {
     throw ParameterError("parameter '" + name_ + "' is " + print(tree_) +
                          "; it must be a map of names and values");
@@ -98,7 +80,7 @@ void ParameterReader::refuseValue(const std::string& key, const std::string& all
 }
 
 YAML::Node ParameterReader::find(const std::string& key) const {
-  known_->insert(fullName(key));
+  heard_->names.insert(fullName(key));
   const YAML::Node& tree = tree_;  // the const operator[] does not insert
   return tree[key];
 }
@@ -123,99 +105,6 @@ double ParameterReader::toNumber(const YAML::Node& node, const std::string& full
   return value;
 }
 
-double ParameterReader::number(const std::string& key, const Range& range) const {
-  return toNumber(require(key, range.text()), fullName(key), range);
-}
-
-double ParameterReader::number(const std::string& key, const Range& range, double fallback) const {
-  return has(key) ? number(key, range) : fallback;
-}
-
-int ParameterReader::integer(const std::string& key, int min, int max) const {
-  const double value = number(key, Range::between(min, max));
-  if (value != std::floor(value)) refuseValue(key, "a whole number");
-  return static_cast<int>(value);
-}
-
-bool ParameterReader::flag(const std::string& key, bool fallback) const {
-  if (!has(key)) return fallback;
-  const YAML::Node node = find(key);
-  bool value = false;
-  if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value)) {
-    refuseValue(key, "true or false");
-  }
-  return value;
-}
-
-std::string ParameterReader::text(const std::string& key) const {
-  const YAML::Node node = require(key, "a text");
-  if (!node.IsScalar()) refuseValue(key, "a text");
-  return node.Scalar();
-}
-
-std::string ParameterReader::text(const std::string& key, const std::string& fallback) const {
-  return has(key) ? text(key) : fallback;
-}
-
-std::string ParameterReader::choice(const std::string& key,
-                                    const std::vector<std::string>& allowed) const {
-  const std::string value = text(key);
-  for (const std::string& word : allowed) {
-    if (value == word) return value;
-  }
-  refuseValue(key, "one of " + join(allowed));
-}
-
-std::vector<double> ParameterReader::numbers(const std::string& key, std::size_t size,
-                                             const Range& range) const {
-  const std::string count = size == 0 ? "numbers" : std::to_string(size) + " numbers";
-  const std::string what = "a list of " + count + ", each " + range.text();
-  const YAML::Node node = require(key, what);
-  if (!node.IsSequence() || (size != 0 && node.size() != size)) {
-    refuseValue(key, what);
-  }
-  std::vector<double> values;
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    values.push_back(toNumber(node[i], fullName(key) + "[" + std::to_string(i) + "]", range));
-  }
-  return values;
-}
-
-double ParameterReader::angle(const std::string& key, const Range& degrees) const {
-  return number(key, degrees) * kDegree;
-}
-
-double ParameterReader::angle(const std::string& key, const Range& degrees, double fallback) const {
-  return has(key) ? angle(key, degrees) : fallback;
-}
-
-std::vector<double> ParameterReader::angles(const std::string& key, const Range& degrees) const {
-  std::vector<double> angles = numbers(key, 0, degrees);
-  for (double& angle : angles) angle *= kDegree;
-  return angles;
-}
-
-std::vector<std::string> ParameterReader::texts(const std::string& key) const {
-  const YAML::Node node = require(key, "a list of texts");
-  if (!node.IsSequence()) refuseValue(key, "a list of texts");
-  std::vector<std::string> values;
-  for (const auto& entry : node) {
-    if (!entry.IsScalar()) refuseValue(key, "a list of texts");
-    values.push_back(entry.Scalar());
-  }
-  return values;
-}
-
-Eigen::Vector3d ParameterReader::vector3(const std::string& key, const Range& range) const {
-  const std::vector<double> values = numbers(key, 3, range);
-  return {values[0], values[1], values[2]};
-}
-
-Eigen::Vector3d ParameterReader::vector3(const std::string& key, const Range& range,
-                                         const Eigen::Vector3d& fallback) const {
-  return has(key) ? vector3(key, range) : fallback;
-}
-
 void ParameterReader::requirePositiveDefinite(const std::string& key,
                                               const Eigen::MatrixXd& symmetric) const {
   const double smallest = eigenvalueRange(symmetric).min;
@@ -225,24 +114,8 @@ void ParameterReader::requirePositiveDefinite(const std::string& key,
   }
 }
 
-Eigen::Matrix3d ParameterReader::positiveDefinite(const std::string& key) const {
-  const std::vector<double> v = numbers(key, 0, Range::any());
-  if (v.size() != 3 && v.size() != 6) {
-    refuse(key, "has " + std::to_string(v.size()) +
-                    " numbers; it must be [xx, yy, zz] or [xx, yy, zz, xy, xz, yz]");
-  }
-  Eigen::Matrix3d matrix = Eigen::Vector3d(v[0], v[1], v[2]).asDiagonal();
-  if (v.size() == 6) {
-    matrix(0, 1) = matrix(1, 0) = v[3];
-    matrix(0, 2) = matrix(2, 0) = v[4];
-    matrix(1, 2) = matrix(2, 1) = v[5];
-  }
-  requirePositiveDefinite(key, matrix);
-  return matrix;
-}
-
 ParameterReader ParameterReader::child(const std::string& key) const {
-  return ParameterReader(require(key, "a map of names and values"), fullName(key), known_);
+  return ParameterReader(require(key, "a map of names and values"), fullName(key), heard_);
 }
 
 std::vector<ParameterReader> ParameterReader::children(const std::string& key) const {
@@ -251,7 +124,7 @@ std::vector<ParameterReader> ParameterReader::children(const std::string& key) c
   std::vector<ParameterReader> readers;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const std::string name = fullName(key) + "[" + std::to_string(i) + "]";
-    readers.push_back(ParameterReader(node[i], name, known_));
+    readers.push_back(ParameterReader(node[i], name, heard_));
   }
   return readers;
 }
@@ -273,7 +146,23 @@ void ParameterReader::skip(const std::string& key) const {
 }
 
 void ParameterReader::finish() const {
-  refuseUnknown(tree_, name_, *known_);
+  refuseUnknown(tree_, name_, heard_->names);
+}
+
+const Schema& ParameterReader::schema() const {
+  return heard_->schema;
+}
+
+void ParameterReader::keep(Parameter parameter) const {
+  const std::string full = fullName(parameter.key.name);
+  const std::size_t root = heard_->root.size();
+  parameter.key.name = root == 0 ? full : full.substr(root + 1);
+  const auto place = heard_->places.emplace(parameter.key.name, heard_->schema.size());
+  if (place.second) {
+    heard_->schema.push_back(std::move(parameter));
+  } else {
+    heard_->schema[place.first->second] = std::move(parameter);
+  }
 }
 
 YAML::Node loadYamlFile(const std::string& path) {

@@ -89,9 +89,9 @@ TEST(MeasuredFlights, NeedAStepWithASetPointAsTheLogDoes) {
 TEST(LoggedFlights, TellRefusalsOfPlantAndSwitchesByTime) {
   Scenario scenario = scenarioNamed("vertical_lift");
   scenario.duration = fromSeconds(4.0);
-  scenario.cargo = {{"far", test::box(0.5), {100.0, 0.0, 0.05}, Eigen::Vector3d::Zero()}};
-  scenario.events = {{fromSeconds(2.5), AttachPayload{"far", test::box(0.5)}}};
-  scenario.switches = {{fromSeconds(2.0), 8}, {fromSeconds(3.0), 8}};
+  scenario.world.cargo = {{"far", test::box(0.5), {100.0, 0.0, 0.05}, Eigen::Vector3d::Zero()}};
+  scenario.mission.events = {{fromSeconds(2.5), AttachPayload{"far", test::box(0.5)}}};
+  scenario.mission.switches = {{fromSeconds(2.0), 8}, {fromSeconds(3.0), 8}};
   const Vehicle vehicle = test::vehicleNamed(scenario.vehicle);
   const FlightLog log = fly(scenario, vehicle, "switched", test::lawNamed("switched", vehicle), {});
   ASSERT_EQ(log.refusals.size(), 3u);

@@ -15,12 +15,12 @@ TEST(Backdrop, OfAScenarioHasItsPayloadsWallsAndMission) {
   Scenario scenario;
   scenario.title = "Over the wall";
   scenario.duration = fromSeconds(9.0);
-  scenario.start.position = {1.0, -2.0, 0.0};
-  scenario.set_points.resize(2);
-  scenario.set_points[0].set_point.position = {4.0, 0.0, 3.0};
-  scenario.set_points[1].set_point.position = {-5.0, 0.0, 1.0};
-  scenario.walls = {{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}};
-  scenario.events = {{fromSeconds(2.0), payload(0.5)},
+  scenario.world.start.position = {1.0, -2.0, 0.0};
+  scenario.mission.set_points.resize(2);
+  scenario.mission.set_points[0].set_point.position = {4.0, 0.0, 3.0};
+  scenario.mission.set_points[1].set_point.position = {-5.0, 0.0, 1.0};
+  scenario.world.walls = {{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}};
+  scenario.mission.events = {{fromSeconds(2.0), payload(0.5)},
                      {fromSeconds(3.0), SetWind{Eigen::Vector3d::Zero()}},
                      {fromSeconds(4.0), DetachPayload{}},
                      {fromSeconds(6.0), payload(0.25)}};

@@ -32,12 +32,14 @@ class Asmc final : public CascadedLaw {
   Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors) noexcept override;
   void report() noexcept;
 
+  struct Words;
+
   // One loop's law without its feed-forward: -Lambda s - rho sat(s, varpi), where
   // rho = sum_i K_i ||xi||^i and each K_i adapts with ||s|| ||xi||^i.
   template <std::size_t Count>
   class Loop {
    public:
-    explicit Loop(const ParameterReader& reader);
+    Loop(const ParameterReader& reader, const Words& words);
     Eigen::Vector3d output(const Eigen::Vector3d& error, const Eigen::Vector3d& rate) noexcept;
     void adapt(double dt) noexcept;
     void reset() noexcept;

@@ -24,8 +24,9 @@ class Smc final : public CascadedLaw {
   Eigen::Vector3d force(const PositionErrors& errors, const SetPoint& set_point) noexcept override;
   Eigen::Vector3d moment(const State& state, const AttitudeErrors& errors) noexcept override;
 
+  struct Words;
   struct Loop {
-    explicit Loop(const ParameterReader& reader);
+    Loop(const ParameterReader& reader, const Words& words);
     Eigen::Vector3d update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
                            const Eigen::Vector3d& feed_forward,
                            Eigen::Vector3d& sliding) const noexcept;

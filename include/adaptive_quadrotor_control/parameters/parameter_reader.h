@@ -3,7 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <Eigen/Core>
-#include <limits>
+#include <map>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/parameters/schema.h"
 
 namespace aqc {
 
@@ -20,33 +21,11 @@ struct ParameterError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The numbers that a parameter may take. Not-a-number and infinities are never allowed.
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool exclusive_min = false;
-
-  /// Every finite number.
-  static Range any() { return {}; }
-  /// > 0
-  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true}; }
-  /// >= 0
-  static Range nonNegative() { return {0.0, std::numeric_limits<double>::infinity(), false}; }
-  /// [low, high]
-  static Range between(double low, double high) { return {low, high, false}; }
-  /// (0, high]
-  static Range positiveUpTo(double high) { return {0.0, high, true}; }
-
-  /// False for not-a-number and infinities, whatever the bounds.
-  bool contains(double value) const;
-  /// "a finite number > 0", as an error message says it.
-  std::string text() const;
-};
-
 /// The one validated way from a parameter tree (a YAML file, or a ROS parameter namespace turned
 /// into the same tree) to typed values. Every getter throws ParameterError when the parameter is
 /// missing, of another type or out of range; finish() refuses names that nobody read. Those with a
-/// fallback return it, unchecked, when the parameter is missing.
+/// fallback return it, unchecked, when the parameter is missing. What was read is kept as a schema:
+/// a parameter is declared by the getter that reads it, and nowhere else.
 class ParameterReader {
  public:
   /// `name` is the prefix that errors print, e.g. "vehicle" or a file name. An empty name prints
@@ -55,33 +34,34 @@ class ParameterReader {
 
   /// Whether the key is there, with whatever value.
   bool has(const std::string& key) const;
-  double number(const std::string& key, const Range& range) const;
-  double number(const std::string& key, const Range& range, double fallback) const;
+  double number(const ParameterKey& key, const Range& range) const;
+  double number(const ParameterKey& key, const Range& range, double fallback) const;
   /// A whole number in [min, max].
-  int integer(const std::string& key, int min, int max) const;
+  int integer(const ParameterKey& key, int min, int max) const;
   /// true or false, or what else YAML takes for these.
-  bool flag(const std::string& key, bool fallback) const;
-  std::string text(const std::string& key) const;
-  std::string text(const std::string& key, const std::string& fallback) const;
+  bool flag(const ParameterKey& key, bool fallback) const;
+  std::string text(const ParameterKey& key) const;
+  std::string text(const ParameterKey& key, const std::string& fallback) const;
   /// A text that is one of `allowed`.
-  std::string choice(const std::string& key, const std::vector<std::string>& allowed) const;
+  std::string choice(const ParameterKey& key, const std::vector<std::string>& allowed) const;
   /// `size` numbers, all in `range`; a size of 0 takes any count.
-  std::vector<double> numbers(const std::string& key, std::size_t size, const Range& range) const;
-  /// An angle in radians. The tree holds it in degrees, within `degrees`, under a key that ends in
-  /// _deg.
-  double angle(const std::string& key, const Range& degrees) const;
+  std::vector<double> numbers(const ParameterKey& key, std::size_t size, const Range& range) const;
+  /// An angle in radians. The tree, and with it the schema, holds it in degrees, within `degrees`,
+  /// under a key that ends in _deg.
+  double angle(const ParameterKey& key, const Range& degrees) const;
   /// `fallback` is in radians.
-  double angle(const std::string& key, const Range& degrees, double fallback) const;
+  double angle(const ParameterKey& key, const Range& degrees, double fallback) const;
   /// A list of such angles, of any count.
-  std::vector<double> angles(const std::string& key, const Range& degrees) const;
+  std::vector<double> angles(const ParameterKey& key, const Range& degrees) const;
   /// A list of texts, of any count.
-  std::vector<std::string> texts(const std::string& key) const;
-  /// Three numbers, each in `range`.
-  Eigen::Vector3d vector3(const std::string& key, const Range& range) const;
-  Eigen::Vector3d vector3(const std::string& key, const Range& range,
+  std::vector<std::string> texts(const ParameterKey& key) const;
+  /// Three numbers, each in `range`; x, y and z in the schema.
+  Eigen::Vector3d vector3(const ParameterKey& key, const Range& range) const;
+  Eigen::Vector3d vector3(const ParameterKey& key, const Range& range,
                           const Eigen::Vector3d& fallback) const;
-  /// Symmetric positive definite: [xx, yy, zz] or [xx, yy, zz, xy, xz, yz].
-  Eigen::Matrix3d positiveDefinite(const std::string& key) const;
+  /// Symmetric positive definite: [xx, yy, zz] or [xx, yy, zz, xy, xz, yz]. In the schema the
+  /// entries are x, y, z, xy, xz, yz.
+  Eigen::Matrix3d positiveDefinite(const ParameterKey& key) const;
 
   /// A nested map.
   ParameterReader child(const std::string& key) const;
@@ -109,16 +89,30 @@ class ParameterReader {
   /// outermost reader, after everything is read.
   void finish() const;
 
+  /// What the getters of the outermost reader and of all below it have read so far; a parameter
+  /// that was missing stands there with its fallback. One that is read again is as the last getter
+  /// read it.
+  const Schema& schema() const;
+
  private:
-  using Names = std::set<std::string>;
-  ParameterReader(YAML::Node tree, std::string name, std::shared_ptr<Names> known);
+  // Shared with the children, so that the outermost reader knows of everything.
+  struct Heard {
+    std::string root;  // name of the outermost reader
+    std::set<std::string> names;
+    Schema schema;
+    std::map<std::string, std::size_t> places;  // in the schema
+  };
+  ParameterReader(YAML::Node tree, std::string name, std::shared_ptr<Heard> heard);
   YAML::Node find(const std::string& key) const;
   YAML::Node require(const std::string& key, const std::string& what) const;
   double toNumber(const YAML::Node& node, const std::string& full, const Range& range) const;
+  void keep(Parameter parameter) const;
+  void keepNumber(const ParameterKey& key, const Range& range, double value) const;
+  void keepNumbers(ParameterKey key, const Range& range, std::vector<double> values) const;
 
   YAML::Node tree_;
   std::string name_;
-  std::shared_ptr<Names> known_;  // shared with the children, so that finish() sees everything
+  std::shared_ptr<Heard> heard_;
 };
 
 /// Reads a YAML file whose top level is a map; throws ParameterError naming the file (and the line)

@@ -41,9 +41,10 @@ Switched::Switched(const ParameterReader& reader, const Vehicle& vehicle)
     : arm_length_(vehicle.rotors.front().arm_length),
       law_(readSwitchedLaw(reader, kMaxSubsystems)),
       switch_(readSubsystemSwitch(reader, law_)),
-      velocity_slope_(reader.number("acceleration_cut_off", Range::positive())),
-      rate_slope_(reader.number("acceleration_cut_off", Range::positive())) {
-  out_ = {};
+      velocity_slope_(reader.number(
+          {"acceleration_cut_off", "", "Hz", "of the derivatives of body rate and velocity"},
+          Range::positive())),
+      rate_slope_(velocity_slope_) {
   report();
 }
 

@@ -12,15 +12,15 @@ namespace {
 // Symmetric positive definite: the diagonal, or all numbers row by row.
 template <int Size>
 Eigen::Matrix<double, Size, Size> readMatrix(const ParameterReader& reader,
-                                             const std::string& key) {
+                                             const ParameterKey& key) {
   constexpr std::size_t kDiagonal = Size;
   constexpr std::size_t kFull = kDiagonal * kDiagonal;
   using Matrix = Eigen::Matrix<double, Size, Size>;
   const std::vector<double> v = reader.numbers(key, 0, Range::any());
   if (v.size() != kDiagonal && v.size() != kFull) {
-    reader.refuse(key, "has " + std::to_string(v.size()) + " numbers; it must have " +
-                           std::to_string(kDiagonal) + " (the diagonal) or " +
-                           std::to_string(kFull) + " (row by row)");
+    reader.refuse(key.name, "has " + std::to_string(v.size()) + " numbers; it must have " +
+                                std::to_string(kDiagonal) + " (the diagonal) or " +
+                                std::to_string(kFull) + " (row by row)");
   }
   Matrix matrix = Matrix::Zero();
   if (v.size() == kDiagonal) {
@@ -28,21 +28,23 @@ Eigen::Matrix<double, Size, Size> readMatrix(const ParameterReader& reader,
   } else {
     matrix = Eigen::Map<const Matrix>(v.data());
   }
-  if (matrix != matrix.transpose()) reader.refuseValue(key, "symmetric");
-  reader.requirePositiveDefinite(key, matrix);
+  if (matrix != matrix.transpose()) reader.refuseValue(key.name, "symmetric");
+  reader.requirePositiveDefinite(key.name, matrix);
+  if (v.size() == kDiagonal) reader.numbers(key, kDiagonal, Range::positive());  // for the schema
   return matrix;
 }
 
-Eigen::Vector4d readVector(const ParameterReader& reader, const std::string& key) {
+Eigen::Vector4d readVector(const ParameterReader& reader, const ParameterKey& key) {
   return Eigen::Vector4d(reader.numbers(key, 4, Range::positive()).data());
 }
 
 // Eq. init: a gain that decays towards its drive must start above it.
-double readInitial(const ParameterReader& reader, const std::string& key, double drive,
+double readInitial(const ParameterReader& reader, const ParameterKey& key, double drive,
                    const std::string& drive_key) {
   const double initial = reader.number(key, Range::positive());
   if (!(initial > drive)) {
-    reader.refuseValue(key, "> '" + drive_key + "' = " + numberText(drive) + " (thesis eq. init)");
+    reader.refuseValue(key.name,
+                       "> '" + drive_key + "' = " + numberText(drive) + " (thesis eq. init)");
   }
   return initial;
 }
@@ -59,16 +61,26 @@ void checkLeak(const ParameterReader& reader, const SubsystemParameters& paramet
 
 SubsystemParameters readSubsystem(const ParameterReader& reader) {
   SubsystemParameters p;
-  p.error_gain = readMatrix<4>(reader, "error_gain");
-  p.rate_gain = readMatrix<4>(reader, "rate_gain");
-  p.input_gain = readMatrix<4>(reader, "input_gain");
-  p.weight = readMatrix<8>(reader, "weight");
-  p.leak = readVector(reader, "leak");
-  p.gamma_drive = reader.number("gamma_drive", Range::positive());
-  p.zeta_drive = reader.number("zeta_drive", Range::positive());
-  p.initial_theta = readVector(reader, "initial_theta");
-  p.initial_zeta = readInitial(reader, "initial_zeta", p.zeta_drive, "zeta_drive");
-  p.initial_gamma = readInitial(reader, "initial_gamma", p.gamma_drive, "gamma_drive");
+  const std::vector<std::string> coordinates = {"z", "roll", "pitch", "yaw"};
+  p.error_gain =
+      readMatrix<4>(reader, {"error_gain", "K_1", "1/s^2", "stiffness of the error", coordinates});
+  p.rate_gain =
+      readMatrix<4>(reader, {"rate_gain", "K_2", "1/s", "damping of the error", coordinates});
+  p.input_gain =
+      readMatrix<4>(reader, {"input_gain", "D", "kg, kg m, kg m, kg m^2",
+                             "from the acceleration asked for to the command", coordinates});
+  p.weight = readMatrix<8>(reader, {"weight", "Q", "", "of the errors and of their rates"});
+  p.leak = readVector(reader, {"leak", "alpha", "1/s", "forgetting of theta-hat; > varrho / 2"});
+  p.gamma_drive =
+      reader.number({"gamma_drive", "epsilon", "", "what gamma decays to"}, Range::positive());
+  p.zeta_drive =
+      reader.number({"zeta_drive", "bar-epsilon", "", "what zeta decays to"}, Range::positive());
+  p.initial_theta = readVector(reader, {"initial_theta", "theta-hat", "", "at the start"});
+  p.initial_zeta = readInitial(reader, {"initial_zeta", "zeta", "", "at the start; > zeta_drive"},
+                               p.zeta_drive, "zeta_drive");
+  p.initial_gamma =
+      readInitial(reader, {"initial_gamma", "gamma", "", "at the start; > gamma_drive"},
+                  p.gamma_drive, "gamma_drive");
   try {
     checkLeak(reader, p, solveSubsystem(p).spectrum.decay());
   } catch (const std::domain_error& error) {
@@ -87,7 +99,9 @@ Nanoseconds readDwellTime(const ParameterReader& reader, const DwellTime& bound)
   }
   const auto shortest = static_cast<Nanoseconds>(std::floor(bound.least * 1e9)) + 1;
   if (!reader.has("dwell_time")) return shortest;
-  const double seconds = reader.number("dwell_time", Range::positiveUpTo(longest));
+  const double seconds =
+      reader.number({"dwell_time", "", "s", "average time between two switches, > theta*"},
+                    Range::positiveUpTo(longest));
   if (!(seconds > bound.least)) {
     reader.refuseValue("dwell_time", "> theta* (" + bound.text() + ", thesis eq. sw_law)");
   }
@@ -104,21 +118,31 @@ SwitchedLaw readSwitchedLaw(const ParameterReader& reader, int most) {
   }
   std::vector<SubsystemParameters> subsystems;
   for (const ParameterReader& child : children) subsystems.push_back(readSubsystem(child));
-  return SwitchedLaw(subsystems, reader.number("boundary_layer", Range::positive(), 0.1));
+  return SwitchedLaw(subsystems,
+                     reader.number({"boundary_layer", "varpi", "",
+                                    "of the filtered error r, which mixes m/s and rad/s"},
+                                   Range::positive(), 0.1));
 }
 
 SubsystemSwitch readSubsystemSwitch(const ParameterReader& reader, const SwitchedLaw& law) {
-  const double kappa_ratio = reader.number("kappa_ratio", Range::positive(), 0.9);
+  const double kappa_ratio =
+      reader.number({"kappa_ratio", "kappa / varrho", "", "in (0, 1)"}, Range::positive(), 0.9);
   if (!(kappa_ratio < 1.0)) {
     reader.refuseValue("kappa_ratio", "> 0 and < 1 (thesis: kappa < varrho)");
   }
   const DwellTime bound = averageDwellTime(law.spectra(), kappa_ratio);
   const Nanoseconds dwell_time = readDwellTime(reader, bound);
   const double chatter_bound =
-      reader.number("chatter_bound", Range::between(1.0, DwellTimeMonitor::kMostChatter));
-  const bool warn = reader.choice("switching_policy", {"refuse", "warn"}) == "warn";
+      reader.number({"chatter_bound", "N_0", "", "how many switches may come at once"},
+                    Range::between(1.0, DwellTimeMonitor::kMostChatter));
+  const bool warn =
+      reader.choice({"switching_policy", "", "", "what becomes of a switch that comes too early"},
+                    {"refuse", "warn"}) == "warn";
   const int initial =
-      reader.has("initial_subsystem") ? reader.integer("initial_subsystem", 1, law.count()) : 1;
+      reader.has("initial_subsystem")
+          ? reader.integer({"initial_subsystem", "", "", "at the start; subsystems count from 1"},
+                           1, law.count())
+          : 1;
   return SubsystemSwitch(law.count(), initial, bound, DwellTimeMonitor(dwell_time, chatter_bound),
                          warn ? SubsystemSwitch::Policy::kWarn : SubsystemSwitch::Policy::kRefuse);
 }

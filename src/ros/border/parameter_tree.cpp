@@ -34,7 +34,7 @@ YAML::Node toYaml(XmlRpc::XmlRpcValue& value, const std::string& name) {
   }
 }
 
-// YAML does not tell numbers from texts; what reads as a number is one.
+// YAML does not tell numbers and flags from texts; what reads as one of these is one.
 XmlRpc::XmlRpcValue toXmlRpc(const YAML::Node& node) {
   XmlRpc::XmlRpcValue value;
   int index = 0;
@@ -51,7 +51,9 @@ XmlRpc::XmlRpcValue toXmlRpc(const YAML::Node& node) {
   double number = 0.0;
   if (YAML::convert<int>::decode(node, whole)) return whole;
   if (YAML::convert<double>::decode(node, number)) return number;
-  return XmlRpc::XmlRpcValue(node.Scalar());
+  const std::string text = node.Scalar();
+  if (text == "true" || text == "false") return XmlRpc::XmlRpcValue(text == "true");
+  return XmlRpc::XmlRpcValue(text);
 }
 
 }  // namespace

@@ -37,7 +37,6 @@ void ControllerNodelet::onInit() {
 void ControllerNodelet::configure() {
   const ros::NodeHandle& own_node = getPrivateNodeHandle();
   const Vehicle vehicle = readParameters(getNodeHandle(), "vehicle", readVehicle);
-  own_node.deleteParam("tuning");  // what the tuner of an earlier run left behind
   const ParameterReader own = parameterReader(own_node, "");
   const Nanoseconds period =
       fromSeconds(1.0 / own.number("rate", Range::between(1.0, 10000.0), kDefaultRate));

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 #include <std_msgs/String.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/make_shared.hpp>
 #include <chrono>
@@ -12,7 +13,7 @@
 #include "adaptive_quadrotor_control/law/law_factory.h"
 #include "ros/border/parameter_tree.h"
 #include "ros/controller/pilot_state.h"
-#include "ros/controller/tuning_server.h"
+#include "ros/controller/tuning_map.h"
 
 namespace aqc {
 namespace {
@@ -46,8 +47,18 @@ class SwapJob : public ros::CallbackInterface {
   std::promise<std::string> answer_;
 };
 
-std::string nameOf(const YAML::Node& gains) {
-  return gains["law"].as<std::string>();
+// Another law has other gains: it comes by a reload of all of them, not as a gain.
+Schema tunable(Schema schema) {
+  schema.erase(std::remove_if(schema.begin(), schema.end(),
+                              [](const Parameter& gain) { return gain.key.name == "law"; }),
+               schema.end());
+  return schema;
+}
+
+ros::NodeHandle tuningNode(const ros::NodeHandle& node, ros::CallbackQueue& queue) {
+  ros::NodeHandle tuning(node, "tuning");
+  tuning.setCallbackQueue(&queue);
+  return tuning;
 }
 
 }  // namespace
@@ -60,28 +71,19 @@ GainTuner::GainTuner(const ros::NodeHandle& node, const YAML::Node& vehicle,
       gains_(YAML::Clone(gains)),
       control_(control),
       swap_(std::move(swap)),
+      server_(tuningNode(node, queue_), [this](const auto& wanted) { return tune(wanted); }),
       spinner_(1, &queue_) {
+  schema_ = prepare(gains_)->schema;
   node_.setCallbackQueue(&queue_);
   publisher_ = node_.advertise<std_msgs::String>("parameters", 1, true);
   service_ = node_.advertiseService("reload_parameters", &GainTuner::onReload, this);
-  makeServer();
   publish();
+  server_.show(schema_);
   spinner_.start();
 }
 
 GainTuner::~GainTuner() {
   spinner_.stop();
-}
-
-void GainTuner::makeServer() {
-  server_.reset();  // its topics are those of the next one
-  node_.deleteParam("tuning");
-  server_ = TuningServer::make(nameOf(gains_), ros::NodeHandle(node_, "tuning"), gains_,
-                               [this](const YAML::Node& gains) {
-                                 std::string problem = apply(gains);
-                                 if (problem.empty()) setParameterTree(node_, "gains", gains);
-                                 return problem;
-                               });
 }
 
 void GainTuner::publish() {
@@ -93,19 +95,36 @@ void GainTuner::publish() {
   publisher_.publish(message);
 }
 
-std::string GainTuner::apply(const YAML::Node& gains) {
-  auto prepared = std::make_unique<PreparedLaw>();
+std::string GainTuner::tune(const dynamic_reconfigure::Config& wanted) {
+  std::string problem;
   try {
-    const ParameterReader reader(gains, node_.resolveName("gains"));
-    prepared->law = makeLaw(reader, vehicle_);
-    reader.finish();
+    const std::optional<YAML::Node> gains = withValues(gains_, schema_, wanted);
+    if (gains) problem = apply(*gains);
+    if (gains && problem.empty()) setParameterTree(node_, "gains", gains_);
   } catch (const ParameterError& error) {
-    return error.what();
+    problem = error.what();
   }
+  server_.show(schema_);
+  return problem;
+}
+
+std::unique_ptr<PreparedLaw> GainTuner::prepare(const YAML::Node& gains) const {
+  auto prepared = std::make_unique<PreparedLaw>();
+  const ParameterReader reader(gains, node_.resolveName("gains"));
+  prepared->law = makeLaw(reader, vehicle_);
+  reader.finish();
   prepared->adaptive_names = adaptiveNames(*prepared->law);
+  prepared->schema = tunable(reader.schema());
+  return prepared;
+}
+
+std::string GainTuner::apply(const YAML::Node& gains) {
+  std::unique_ptr<PreparedLaw> prepared = prepare(gains);
+  Schema schema = std::move(prepared->schema);
   const std::string problem = swapInControlThread(std::move(prepared));
   if (!problem.empty()) return problem;
   gains_ = YAML::Clone(gains);
+  schema_ = std::move(schema);
   publish();
   return "";
 }
@@ -117,7 +136,6 @@ std::string GainTuner::swapInControlThread(std::unique_ptr<PreparedLaw> law) {
 }
 
 bool GainTuner::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  const std::string before = nameOf(gains_);
   try {
     response.message = apply(parameterTree(node_, "gains"));
   } catch (const ParameterError& error) {
@@ -129,13 +147,8 @@ bool GainTuner::onReload(std_srvs::Trigger::Request&, std_srvs::Trigger::Respons
     ROS_WARN("parameters refused, %s", response.message.c_str());
     return true;
   }
-  const std::string law = nameOf(gains_);
-  response.message = law + " flies with these gains";
-  if (law != before) {
-    makeServer();
-  } else if (server_) {
-    server_->show(gains_);
-  }
+  server_.show(schema_);
+  response.message = gains_["law"].Scalar() + " flies with these gains";
   return true;
 }
 

@@ -1,27 +1,34 @@
 #pragma once
 
 #include <dynamic_reconfigure/Config.h>
+#include <dynamic_reconfigure/ConfigDescription.h>
 #include <yaml-cpp/yaml.h>
 
-#include <string>
-#include <vector>
+#include <optional>
 
-// From the parameter tree of a control law to the flat names of dynamic_reconfigure and back.
+#include "adaptive_quadrotor_control/parameters/schema.h"
+
+// From the parameters of a schema to the flat names of dynamic_reconfigure and back.
 //
-// A flat name is the path joined by underscores; entries of a list get the name of their axis (x,
-// y, z; or z, roll, pitch, yaw) or their index from 0, whichever dynamic_reconfigure knows; maps in
-// a list count from 1: subsystems[0]/leak[3] is subsystems_1_leak_3. cfg/gains.py says the same.
+// A flat name is the path joined by underscores, for a list with the name of the entry behind it;
+// maps in a list count from 1: entry 3 of subsystems[0]/leak is subsystems_1_leak_3. Every map of
+// the tree is a group, named by its path in the same way. Lists of texts are left out: the protocol
+// has no place for them.
 
 namespace aqc {
 
-/// Puts the tree's numbers and texts into those of `values` that have their names.
-void readTree(const YAML::Node& tree, dynamic_reconfigure::Config& values);
+/// What the clients must know: groups, names, types, ranges, descriptions. The values of `schema`
+/// are the defaults. Of a range without a bound the bound is infinite; of one that leaves out its
+/// least number, that number is told.
+dynamic_reconfigure::ConfigDescription describe(const Schema& schema);
 
-/// A copy of the tree with `values` in their places; those without a place are left out.
-YAML::Node withValues(const YAML::Node& tree, const dynamic_reconfigure::Config& values);
+/// The values of `schema`.
+dynamic_reconfigure::Config valuesOf(const Schema& schema);
 
-/// Flat names of numbers in the tree that `values` lacks: they cannot be tuned.
-std::vector<std::string> missingNames(const YAML::Node& tree,
-                                      const dynamic_reconfigure::Config& values);
+/// A copy of `tree`, from which `schema` was read, with the values of `wanted`; none when they are
+/// those of `schema`. Whether they are allowed is left to whoever reads the copy. Throws
+/// ParameterError for a name that is not there, or a text where there is none.
+std::optional<YAML::Node> withValues(const YAML::Node& tree, const Schema& schema,
+                                     const dynamic_reconfigure::Config& wanted);
 
 }  // namespace aqc

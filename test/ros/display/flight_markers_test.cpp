@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "ros/controller/tuning_map.h"
 #include "ros/display/flight_paths.h"
 #include "support/fixtures.h"
 
@@ -88,27 +87,6 @@ TEST(FlightPaths, ThinsOutAndBreaksAtJumps) {
   trail.add({std::nan(""), 0.0, 1.0}, 0.0);
   EXPECT_EQ(trail.marker().points.size(), lines);
   EXPECT_EQ(trail.marker().colors.size(), lines);
-}
-
-TEST(TuningMap, GoesThereAndBack) {
-  const YAML::Node tree = YAML::Load(
-      "{law: asmc, position: {slope: [1.5, 2, 3], leak: [4, 5]}, subsystems: [{zeta: 0.1}]}");
-  dynamic_reconfigure::Config values;
-  for (const std::string name : {"position_slope_x", "position_slope_y", "position_slope_z",
-                                 "position_leak_0", "position_leak_1", "subsystems_1_zeta"}) {
-    values.doubles.emplace_back();
-    values.doubles.back().name = name;
-  }
-  EXPECT_TRUE(missingNames(tree, values).empty());
-  readTree(tree, values);
-  EXPECT_EQ(values.doubles[2].value, 3.0);
-  EXPECT_EQ(values.doubles[5].value, 0.1);
-  EXPECT_EQ(YAML::Dump(withValues(tree, values)), YAML::Dump(tree));
-  values.doubles[4].value = 0.25;
-  EXPECT_EQ(withValues(tree, values)["position"]["leak"][1].as<double>(), 0.25);
-  EXPECT_EQ(tree["position"]["leak"][1].as<double>(), 5.0) << "the tree itself stays";
-  values.doubles.pop_back();
-  EXPECT_EQ(missingNames(tree, values), std::vector<std::string>{"subsystems_1_zeta"});
 }
 
 }  // namespace

@@ -10,6 +10,8 @@ import rospy
 import rostest
 import yaml
 from dynamic_reconfigure.client import Client
+from dynamic_reconfigure.msg import DoubleParameter
+from dynamic_reconfigure.srv import Reconfigure, ReconfigureRequest
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
@@ -18,7 +20,17 @@ from uav import PACKAGE, Uav  # noqa: E402
 
 GAINS = '/uav/controller/gains'
 CONFIG = os.path.join(rospkg.RosPack().get_path(PACKAGE), 'config', 'controller')
-AXES = {3: 'xyz', 4: ['z', 'roll', 'pitch', 'yaw']}
+# Some names by hand; the others are found by trying.
+PLACES = {
+    'asmc': {'position_slope_z': ('position', 'slope', 2), 'max_tilt_deg': ('max_tilt_deg',),
+             'attitude_leak_2': ('attitude', 'leak', 2),
+             'mass_estimate_initial': ('mass_estimate', 'initial')},
+    'geometric': {'rate_gain_y': ('rate_gain', 1)},
+    'smc': {'attitude_nominal_x': ('attitude', 'nominal', 0)},
+    'switched': {'switching_policy': ('switching_policy',),
+                 'initial_subsystem': ('initial_subsystem',),
+                 'subsystems_3_rate_gain_pitch': ('subsystems', 2, 'rate_gain', 2),
+                 'subsystems_1_leak_0': ('subsystems', 0, 'leak', 0)}}
 
 
 def gains_of(law):
@@ -26,22 +38,14 @@ def gains_of(law):
         return yaml.safe_load(file)
 
 
-def leaves(tree, prefix=''):
-    """(names a gain may have in dynamic_reconfigure, its path) for all of a tree of gains."""
-    entries = tree.items() if isinstance(tree, dict) else enumerate(tree)
-    for key, value in entries:
-        if isinstance(tree, dict):
-            names = [prefix + key]
-        elif isinstance(value, dict):
-            names = ['%s%d' % (prefix, key + 1)]
-        else:
-            axes = AXES.get(len(tree), range(len(tree)))
-            names = [prefix + str(key), prefix + str(axes[key])]
+def leaves(tree):
+    """The path and the value of every gain of a tree."""
+    for key, value in tree.items() if isinstance(tree, dict) else enumerate(tree):
         if isinstance(value, (dict, list)):
-            for found, path in leaves(value, names[0] + '_'):
-                yield found, [key] + path
-        elif names != ['law']:
-            yield names, [key]
+            for path, leaf in leaves(value):
+                yield (key,) + path, leaf
+        elif key != 'law':
+            yield (key,), value
 
 
 def at(tree, path):
@@ -92,13 +96,17 @@ class Tuning(unittest.TestCase):
         """Changes every gain both ways; `law` must be flying with the gains of its file."""
         gains = gains_of(law)
         client = Client('/uav/controller/tuning', timeout=20)
-        paths = self.path_by_name(law, set(client.get_configuration()) - {'groups'})
-        for number, (name, path) in enumerate(paths.items(), 1):
-            gains = replaced(gains, path, other(at(gains, path), number))
-            answer = client.update_configuration({name: at(gains, path)})
-            self.assertEqual(answer[name], at(gains, path), name)
-            self.uav.wait(name + ' by dynamic_reconfigure', lambda: self.flown == gains)
+        self.uav.wait('the gains of the file', lambda: self.flown == gains)
+        paths = {}
+        for number, gain in enumerate(client.get_parameter_descriptions(timeout=20), 1):
+            name = gain['name']
+            value = other(client.get_configuration()[name], number)
+            self.assertEqual(client.update_configuration({name: value})[name], value, name)
+            self.uav.wait(name + ' by dynamic_reconfigure', lambda: self.flown != gains)
+            paths[name] = self.changed_place(gains, self.flown, value)
+            gains = self.flown
             self.assertEqual(rospy.get_param(GAINS), gains, name)
+        self.check_places(law, paths)
         # By rosparam all at once, since no value is that of another gain; then back.
         for number, path in enumerate(paths.values(), 1):
             gains = replaced(gains, path, other(at(gains, path), number))
@@ -111,15 +119,21 @@ class Tuning(unittest.TestCase):
                 client.get_configuration()[name] == at(wanted, path)
                 for name, path in paths.items()))
 
-    def path_by_name(self, law, known):
+    def changed_place(self, before, after, value):
+        """The path of the one gain in which two trees differ; it is `value` now."""
+        before, after = dict(leaves(before)), dict(leaves(after))
+        self.assertEqual(before.keys(), after.keys())
+        changed = [(path, new) for path, new in after.items() if new != before[path]]
+        self.assertEqual(len(changed), 1, changed)
+        self.assertEqual(changed[0][1], value)
+        return changed[0][0]
+
+    def check_places(self, law, paths):
         """Every gain of the file has one name in dynamic_reconfigure, and the other way round."""
-        paths = {}
-        for names, path in leaves(gains_of(law)):
-            found = known.intersection(names)
-            self.assertEqual(len(found), 1, '%s in dynamic_reconfigure of %s' % (names, law))
-            paths[found.pop()] = path
-        self.assertEqual(known, set(paths), 'gains that the file of %s lacks' % law)
-        return paths
+        self.assertEqual(sorted(paths.values(), key=repr),
+                         sorted(dict(leaves(gains_of(law))), key=repr))
+        for name, path in PLACES[law].items():
+            self.assertEqual(paths[name], path, name)
 
     def test_1_every_gain_is_reachable_both_ways(self):
         self.check_every_gain('asmc')
@@ -151,7 +165,25 @@ class Tuning(unittest.TestCase):
         self.assertAlmostEqual(self.uav.state.thrust, before.thrust, delta=0.05)
         rospy.set_param(GAINS, gains_of('asmc'))
 
-    def test_4_laws_take_over_without_a_drop(self):
+    def test_4_what_is_out_of_range_or_unknown_is_refused_whole(self):
+        client = Client('/uav/controller/tuning', timeout=20)
+        before = client.get_configuration()
+        ranges = {gain['name']: (gain['min'], gain['max'])
+                  for gain in client.get_parameter_descriptions(timeout=20)}
+        self.assertEqual(ranges['max_tilt_deg'], (0.0, 89.0))
+        for wrong in ({'max_tilt_deg': 89.5, 'min_lift': 3.0},
+                      {'position_slope_x': -1.0, 'min_lift': 3.0}):
+            answer = client.update_configuration(wrong)
+            for name, value in before.items():
+                if name != 'groups':
+                    self.assertEqual(answer[name], value, name)
+        request = ReconfigureRequest()
+        request.config.doubles = [DoubleParameter('min_lift', 3.0), DoubleParameter('nobody', 1.0)]
+        answer = rospy.ServiceProxy('/uav/controller/tuning/set_parameters', Reconfigure)(request)
+        self.assertIn(DoubleParameter('min_lift', before['min_lift']), answer.config.doubles)
+        self.assertEqual(rospy.get_param(GAINS + '/min_lift'), before['min_lift'])
+
+    def test_5_laws_take_over_without_a_drop(self):
         for law in ('geometric', 'asmc', 'smc', 'asmc'):
             before = self.uav.state
             response = self.change_law(law)
@@ -164,7 +196,7 @@ class Tuning(unittest.TestCase):
             self.assertGreater(min(s.position.z for s in since), before.position.z - 0.12, law)
             self.assertLess(self.uav.error(), 0.12, law)
 
-    def test_5_no_law_takes_over_far_from_the_set_point(self):
+    def test_6_no_law_takes_over_far_from_the_set_point(self):
         self.uav.go(6, 0, 1.5)
         response = self.change_law('geometric')
         self.assertFalse(response.success)
@@ -176,7 +208,7 @@ class Tuning(unittest.TestCase):
         self.assertEqual(self.uav.state.controller, 'asmc')
         self.assertLess(self.uav.error(), 0.1)
 
-    def test_6_every_gain_of_the_other_laws_is_reachable_both_ways(self):
+    def test_7_every_gain_of_the_other_laws_is_reachable_both_ways(self):
         for law in ('geometric', 'smc', 'switched'):  # last the one that lets x and y go
             response = self.change_law(law)
             self.assertTrue(response.success, response.message)

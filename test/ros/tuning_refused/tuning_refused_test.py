@@ -58,7 +58,6 @@ class Insister:
         client = Client('/uav/controller/tuning', timeout=20)
         rospy.set_param(GAINS + '/position/slope', [9.0, 9.0, 9.0])
         rospy.set_param(GAINS + '/mass_estimate/leak', -1.0)
-        # What is out of range is clamped, but for not-a-number.
         wrong = {'position_slope_x': 9.0, 'position_gain_z': math.nan}
         while not self.over.is_set():
             self.note('reload', reload().success)
