@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "adaptive_quadrotor_control/math/number_text.h"
+
 namespace aqc {
 namespace {
 

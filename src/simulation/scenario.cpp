@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/math/rotations.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/mission.h"
 
 namespace aqc {

@@ -2,9 +2,10 @@
 
 #include "adaptive_quadrotor_control/law/attitude.h"
 #include "adaptive_quadrotor_control/law/control_law.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 /// The outer/inner structure of thesis chapter 2, shared by every law built on it: a position law
 /// gives the force tau_p; its direction and the yaw give the desired attitude R_d; an attitude law

@@ -7,11 +7,12 @@
 
 #include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
 #include "adaptive_quadrotor_control/model/state.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 /// Root-mean-square errors of a flight.
 struct RmsErrors {
