@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
 #include "support/fixtures.h"
 

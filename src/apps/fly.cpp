@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/law/law_factory.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "figures/flight_figures.h"
 #include "report/flight_files.h"

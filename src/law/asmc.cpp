@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "adaptive_quadrotor_control/law/saturation.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
 namespace {

@@ -1,5 +1,7 @@
 #include "adaptive_quadrotor_control/law/cascaded_law.h"
 
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+
 namespace aqc {
 
 CascadedLaw::CascadedLaw(const ParameterReader& reader)

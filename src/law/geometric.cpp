@@ -1,5 +1,7 @@
 #include "adaptive_quadrotor_control/law/geometric.h"
 
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+
 namespace aqc {
 
 Geometric::Geometric(const ParameterReader& reader, const Vehicle& vehicle)

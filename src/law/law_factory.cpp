@@ -8,6 +8,7 @@
 #include "adaptive_quadrotor_control/law/geometric.h"
 #include "adaptive_quadrotor_control/law/smc.h"
 #include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
 namespace {

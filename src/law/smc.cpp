@@ -1,6 +1,7 @@
 #include "adaptive_quadrotor_control/law/smc.h"
 
 #include "adaptive_quadrotor_control/law/saturation.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
 

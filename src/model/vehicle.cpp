@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/model/rotor_allocation.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
 namespace {

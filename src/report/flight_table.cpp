@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "adaptive_quadrotor_control/flight/metrics.h"
+#include "adaptive_quadrotor_control/math/number_text.h"
 
 namespace aqc {
 namespace {

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/reference/time_allocation.h"

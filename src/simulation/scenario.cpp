@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/math/rotations.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "support/fixtures.h"
 

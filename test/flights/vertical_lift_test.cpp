@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/law/switched/subsystem_switch.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "support/euler_model.h"
 #include "support/fixtures.h"
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "figures/flight_figures.h"
 #include "report/flight_columns.h"
 #include "report/flight_csv.h"

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "support/fixtures.h"
 
 /// Switched laws and a situation to try them in.

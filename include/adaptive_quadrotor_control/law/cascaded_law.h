@@ -2,9 +2,10 @@
 
 #include "adaptive_quadrotor_control/law/attitude.h"
 #include "adaptive_quadrotor_control/law/control_law.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 struct PositionErrors {
   Eigen::Vector3d position;  ///< e_p = p - p_d, in W [m]

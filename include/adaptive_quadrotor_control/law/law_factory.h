@@ -6,9 +6,10 @@
 
 #include "adaptive_quadrotor_control/law/control_law.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 /// Names of all control laws, in alphabetical order.
 std::vector<std::string> lawNames();

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
-
 namespace aqc {
+
+class ParameterReader;
 
 /// Most rotors a vehicle may have: per-rotor arrays have this much room, so nothing is allocated
 /// in flight.

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 #include "adaptive_quadrotor_control/simulation/plant_action.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 /// A mission list, worked out: what to fly, what happens to the plant, and when a law with several
 /// subsystems changes between them; each by time.

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/flight/metrics.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/mission.h"
 #include "adaptive_quadrotor_control/simulation/world.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 /// What is flown: the whole of a config/scenario/*.yaml file.
 struct Scenario {

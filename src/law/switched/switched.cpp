@@ -5,6 +5,7 @@
 
 #include "adaptive_quadrotor_control/law/switched/switched_parameters.h"
 #include "adaptive_quadrotor_control/math/rotations.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
 namespace {

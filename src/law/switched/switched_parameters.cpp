@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+
 namespace aqc {
 namespace {
 

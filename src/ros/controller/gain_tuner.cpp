@@ -1,4 +1,5 @@
 #include "ros/controller/gain_tuner.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 #include <ros/console.h>
 #include <std_msgs/String.h>

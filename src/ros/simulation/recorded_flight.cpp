@@ -1,4 +1,5 @@
 #include "ros/simulation/recorded_flight.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>

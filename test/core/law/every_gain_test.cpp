@@ -7,6 +7,7 @@
 
 #include "adaptive_quadrotor_control/law/law_factory.h"
 #include "adaptive_quadrotor_control/law/switched/subsystem_switch.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "support/fixtures.h"
 
 // A gain that is read and then forgotten would look well wherever gains are shown: every number of

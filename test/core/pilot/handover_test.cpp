@@ -1,4 +1,5 @@
 #include "adaptive_quadrotor_control/pilot/handover.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,10 @@
 #include "adaptive_quadrotor_control/law/switched/switched_law.h"
 #include "adaptive_quadrotor_control/math/filtered_derivative.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 /// Most subsystems one switched law may have.
 constexpr int kMaxSubsystems = 8;

@@ -4,9 +4,10 @@
 
 #include "adaptive_quadrotor_control/law/switched/subsystem_switch.h"
 #include "adaptive_quadrotor_control/law/switched/switched_law.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
+
+class ParameterReader;
 
 /// What config/controller/switched.yaml says, validated. All throw ParameterError with the full
 /// name, the value and what is allowed.
