@@ -10,7 +10,7 @@ fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
 
 common_packages=(build-essential cmake gnuplot-nox libboost-dev libcli11-dev libeigen3-dev
   libgtest-dev libyaml-cpp-dev nlohmann-json3-dev)
-test_packages=(clang-format imagemagick libbenchmark-dev librapidcheck-dev xvfb)
+test_packages=(clang-format imagemagick libbenchmark-dev librapidcheck-dev valgrind xvfb)
 viewer_packages=()
 
 if [ -d /opt/ros/noetic ]; then
@@ -50,10 +50,12 @@ install_packages() {
     command -v sudo >/dev/null || fail "needs root to install: ${missing[*]}"
     sudo=(sudo)
   fi
+  mkdir -p "$build"
   "${sudo[@]}" apt-get update -qq || fail "apt-get update failed"
   "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
-    "${missing[@]}" >"${TMPDIR:-/tmp}/aqc_install.log" 2>&1 ||
-    { tail -n 20 "${TMPDIR:-/tmp}/aqc_install.log" >&2; fail "cannot install: ${missing[*]}"; }
+    "${missing[@]}" >"$build/install.log" 2>&1 ||
+    { tail -n 20 "$build/install.log" >&2
+      fail "cannot install: ${missing[*]}; see $build/install.log"; }
 }
 
 # Builds Release in build/. Arguments go to the first cmake call.
@@ -64,7 +66,7 @@ build_package() {
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release "$@" >"$build/configure.log" 2>&1 ||
     { tail -n 20 "$build/configure.log" >&2; fail "cmake failed; see $build/configure.log"; }
   cmake --build "$build" -j"$(nproc)" --target "${build_targets[@]:-all}" >"$build/build.log" 2>&1 ||
-    { grep -E 'error|Error' "$build/build.log" | head -n 20 >&2
+    { grep -E 'error|Error' "$build/build.log" | head -n 20 >&2 || true
       fail "the build failed; see $build/build.log"; }
 }
 

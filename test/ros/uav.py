@@ -4,12 +4,14 @@ import threading
 
 import rospy
 from adaptive_quadrotor_control.msg import Actuators, ControllerState, PlantStatus
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Point, PoseStamped, Transform, Twist
 from nav_msgs.msg import Odometry
 from roslib.packages import find_node
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
 
 PACKAGE = 'adaptive_quadrotor_control'
+OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 PATIENCE = 30.0  # for anything to happen [s], wall
 
 
@@ -82,6 +84,27 @@ class Uav:
     def error(self):
         e = self.state.position_error
         return math.sqrt(e.x ** 2 + e.y ** 2 + e.z ** 2)
+
+
+class Diagnostics:
+    """Hears what the controller tells of itself in /diagnostics."""
+
+    def __init__(self, uav):
+        self.uav, self.found = uav, {}
+        rospy.Subscriber('/diagnostics', DiagnosticArray, self._take)
+
+    def _take(self, message):
+        with self.uav.changed:
+            for status in message.status:
+                if 'controller: ' in status.name:
+                    self.found[status.name.split(': ')[1]] = status
+            self.uav.changed.notify_all()
+
+    def expect(self, name, levels, words=''):
+        """Waits until one of its entries has one of the levels and a message with the words."""
+        self.uav.wait('%s to be one of %s: %s; last: %s' % (name, levels, words, self.found),
+                      lambda: name in self.found and self.found[name].level in levels and
+                      words in self.found[name].message)
 
 
 def odometry(stamp):

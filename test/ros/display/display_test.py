@@ -14,7 +14,7 @@ from collections import Counter
 import rospkg
 import rospy
 import rostest
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray
 
@@ -54,17 +54,16 @@ class Display(unittest.TestCase):
         cls.feedback = rospy.Publisher('/uav/goal/feedback', InteractiveMarkerFeedback,
                                        queue_size=1)
         cls.nav_goal = rospy.Publisher('/uav/move_base_simple/goal', PoseStamped, queue_size=1)
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.bag = os.path.join(cls.folder.name, 'test.bag')
-        cls.recorder = subprocess.Popen(
-            ['roslaunch', PACKAGE, 'record.launch', 'bag:=' + cls.bag], stdout=subprocess.DEVNULL)
         cls.uav.wait_until_ready()
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.recorder.terminate()
-        cls.recorder.wait()
-        cls.folder.cleanup()
+    def setUp(self):
+        """Flying, where nothing is in the way, without payload."""
+        if not self.uav.state.flying:
+            self.take_off()
+        if self.uav.status.payload_mass > 0:
+            self.drop()
+        self.drag(0.0, 0.0, 1.3)
+        self.uav.wait('the hover', lambda: self.uav.error() < 0.1)
 
     @classmethod
     def take(cls, message):
@@ -94,24 +93,31 @@ class Display(unittest.TestCase):
         message.header.frame_id = 'world'
         self.feedback.publish(message)
 
-    def test_1_take_off_from_the_menu(self):
+    def drag(self, x, y, z):
+        """The goal, to there."""
+        pose = Pose(position=Point(x, y, z), orientation=Quaternion(w=1.0))
+        self.send(event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=pose)
+        self.uav.wait('the drag', lambda: self.uav.state.desired_position == pose.position)
+
+    def take_off(self):
         self.click('Take off')
         self.uav.wait('the take-off', lambda: self.uav.state.flying and
                       self.uav.state.desired_position.z == 1.0)
-        self.uav.sleep(6.0)
-        self.assertGreater(self.uav.state.position.z, 0.7)
+        self.uav.wait('the height', lambda: self.uav.state.position.z > 0.7)
 
-    def test_2_the_goal_is_dragged(self):
+    def attach(self):
+        self.click('Attach 0.5 kg')
+        self.uav.wait('the payload', lambda: self.uav.status.payload_mass == 0.5)
+
+    def drop(self):
+        self.click('Drop the payload')
+        self.uav.wait('the drop', lambda: self.uav.status.payload_mass == 0)
+
+    def test_the_goal_is_dragged(self):
         for x in (0.5, 1.0, 1.5):
-            message = PoseStamped().pose
-            message.position.x, message.position.y, message.position.z = x, -0.4, 1.3
-            message.orientation.w = 1.0
-            self.send(event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=message)
-            self.uav.wait('the drag', lambda: self.uav.state.desired_position.x == x)
-        self.assertEqual(self.uav.state.desired_position.z, 1.3)
-        self.uav.sleep(6.0)
+            self.drag(x, -0.4, 1.3)
 
-    def test_3_a_2d_goal_keeps_the_height(self):
+    def test_a_2d_goal_keeps_the_height(self):
         self.uav.wait('the goal node', lambda: self.nav_goal.get_num_connections() > 0)
         goal = PoseStamped()
         goal.header.frame_id = 'world'
@@ -120,11 +126,9 @@ class Display(unittest.TestCase):
         self.nav_goal.publish(goal)
         self.uav.wait('the goal', lambda: self.uav.state.desired_position.x == 5.0)
         self.assertEqual(self.uav.state.desired_position.z, 1.3)
-        self.uav.sleep(8.0)
 
-    def test_4_payload_from_the_menu_and_everything_shown(self):
-        self.click('Attach 0.5 kg')
-        self.uav.wait('the payload', lambda: self.uav.status.payload_mass == 0.5)
+    def test_everything_is_shown(self):
+        self.attach()
         self.uav.wait('all markers', lambda: all(self.shown(ns) for ns in (
             'walls', 'cargo', 'payload', 'thrust', 'set_point', 'text', 'plumb', 'flown',
             'reference')))
@@ -136,7 +140,7 @@ class Display(unittest.TestCase):
         for frames in (('world', 'base_link'), ('base_link', 'payload')):
             self.assertTrue(math.isfinite(self.transforms[frames].translation.z), frames)
 
-    def test_5_the_vehicle_is_a_urdf(self):
+    def test_the_vehicle_is_a_urdf(self):
         robot = xml.fromstring(rospy.get_param('/uav/robot_description'))
         self.assertEqual([link.get('name') for link in robot.findall('link')], ['base_link'])
         visuals = robot.find('link').findall('visual')
@@ -145,7 +149,9 @@ class Display(unittest.TestCase):
             for number in visual.find('origin').get('xyz').split():
                 self.assertTrue(math.isfinite(float(number)))
 
-    def test_6_rviz_draws_it_on_both_sides_of_the_wall(self):
+    def test_rviz_draws_it_on_both_sides_of_the_wall(self):
+        self.fly_to(5.0, -1.5, 1.3)
+        self.attach()
         picture = rospy.get_param('~picture')
         display = ':%d' % (60 + os.getpid() % 30)
         environment = dict(os.environ, DISPLAY=display)
@@ -158,20 +164,20 @@ class Display(unittest.TestCase):
                 ['rosrun', 'rviz', 'rviz', '-d', SHARE + '/config/view.rviz', '__ns:=uav'],
                 env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             self.check_picture(picture, environment)
-            for x in (5.0, 9.5):  # up, then over the wall
-                goal = PoseStamped().pose
-                goal.position.x, goal.position.y, goal.position.z = x, -1.5, 3.6
-                goal.orientation.w = 1.0
-                self.send(event_type=InteractiveMarkerFeedback.POSE_UPDATE, pose=goal)
-                self.uav.wait('the goal', lambda: self.uav.state.desired_position.x == x)
-                self.uav.sleep(6.0)
-            self.assertGreater(self.uav.state.position.x, 8.5)
+            # Up, over the wall; and back, in front of which the next test begins.
+            self.addCleanup(self.fly_to, 5.0, -1.5, 3.6)
+            self.fly_to(5.0, -1.5, 3.6)
+            self.fly_to(9.5, -1.5, 3.6)
             root, extension = os.path.splitext(picture)
             self.check_picture(root + '_behind' + extension, environment)
         finally:
             for process in filter(None, (rviz, server)):
                 process.terminate()
                 process.wait()
+
+    def fly_to(self, x, y, z):
+        self.drag(x, y, z)
+        self.uav.wait('the vehicle there', lambda: self.uav.error() < 0.3)
 
     def check_picture(self, picture, environment):
         """Takes a screenshot that shows everything, as soon as there is one."""
@@ -196,36 +202,53 @@ class Display(unittest.TestCase):
                 missing[name] = count
         return missing
 
-    def test_7_a_recording_is_drawn(self):
-        self.click('Drop the payload')
-        self.uav.wait('the drop', lambda: self.uav.status.payload_mass == 0)
-        self.uav.sleep(2.0)
-        self.recorder.terminate()
-        self.recorder.wait(20)
+    def record(self, bag):
+        """A flight with a payload for a while."""
+        recorder = subprocess.Popen(
+            ['roslaunch', PACKAGE, 'record.launch', 'bag:=' + bag], stdout=subprocess.DEVNULL)
+        try:
+            deadline = time.time() + 20.0
+            while not os.path.exists(bag + '.active') and time.time() < deadline:
+                time.sleep(0.1)
+            self.uav.sleep(2.0)
+            self.attach()
+            self.uav.sleep(2.0)
+            self.drop()
+            self.uav.sleep(2.0)
+        finally:
+            recorder.terminate()
+            recorder.wait(20)
+
+    def test_a_recording_is_drawn(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        bag = os.path.join(self.folder, 'test.bag')
+        self.record(bag)
         subprocess.run([executable('fly'), 'hover_payload', '--controller', 'smc', '--no-plots',
-                        '--out', self.folder.name], check=True, timeout=100)
-        self.plot(self.bag)
-        converted = os.path.join(self.folder.name, 'test.csv')
+                        '--out', self.folder], check=True, timeout=100)
+        self.plot(bag)
+        converted = os.path.join(self.folder, 'test.csv')
         with open(converted, 'rb') as file:
             before = file.read()
-        result = subprocess.run([executable('plot_flight'), self.bag, converted, '--out',
-                                 self.folder.name], stderr=subprocess.PIPE, timeout=100)
+        result = subprocess.run([executable('plot_flight'), bag, converted, '--out', self.folder],
+                                stderr=subprocess.PIPE, timeout=100)
         self.assertEqual(result.returncode, 1)
         self.assertIn(b'would overwrite', result.stderr)
         with open(converted, 'rb') as file:
             self.assertEqual(file.read(), before)
-        both = self.plot(self.bag, os.path.join(self.folder.name, 'smc.csv'))
+        both = self.plot(bag, os.path.join(self.folder, 'smc.csv'))
         names = re.findall(r"NaN with lines .* title '(.*)'", both)
         self.assertEqual(names, ['set point', 'asmc', 'smc'])
 
     def plot(self, *files):
         """Draws recordings; returns the script of one of the figures."""
-        subprocess.run([executable('plot_flight'), *files, '--out', self.folder.name], check=True,
+        subprocess.run([executable('plot_flight'), *files, '--out', self.folder], check=True,
                        timeout=100)
         for name in ('position', 'position_error', 'attitude_error', 'adaptation', 'rotors'):
-            size = os.path.getsize(os.path.join(self.folder.name, name + '.png'))
+            size = os.path.getsize(os.path.join(self.folder, name + '.png'))
             self.assertGreater(size, 5000, name)
-        with open(os.path.join(self.folder.name, 'position.gnuplot')) as file:
+        with open(os.path.join(self.folder, 'position.gnuplot')) as file:
             return file.read()
 
 
