@@ -167,6 +167,7 @@ class MissionBuilder {
       point.position = middle + amplitude * std::sin(phase);
       point.velocity = amplitude * (frequency * std::cos(phase));
       point.acceleration = amplitude * (-frequency * frequency * std::sin(phase));
+      point.jerk = amplitude * (-frequency * frequency * frequency * std::cos(phase));
       mission_.set_points.push_back({time, point});
     }
     present_ = SetPoint();
