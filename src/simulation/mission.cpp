@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/law/max_subsystems.h"
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/reference/time_allocation.h"
