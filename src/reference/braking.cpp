@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/math/constants.h"
 #include "reference/argument_checks.h"
 
 namespace aqc {

@@ -9,8 +9,10 @@ SetPoint toSetPoint(const FlatOutput& output) {
   set_point.position = output.derivative[0].head<3>();
   set_point.velocity = output.derivative[1].head<3>();
   set_point.acceleration = output.derivative[2].head<3>();
+  set_point.jerk = output.derivative[3].head<3>();
   set_point.yaw = output.derivative[0][3];
   set_point.yaw_rate = output.derivative[1][3];
+  set_point.yaw_acceleration = output.derivative[2][3];
   return set_point;
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/math/constants.h"
 #include "reference/argument_checks.h"
 #include "reference/invalid_argument.h"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/law/max_subsystems.h"
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
@@ -169,6 +169,7 @@ class MissionBuilder {
       point.position = middle + amplitude * std::sin(phase);
       point.velocity = amplitude * (frequency * std::cos(phase));
       point.acceleration = amplitude * (-frequency * frequency * std::sin(phase));
+      point.jerk = amplitude * (-frequency * frequency * frequency * std::cos(phase));
       mission_.set_points.push_back({time, point});
     }
     present_ = SetPoint();

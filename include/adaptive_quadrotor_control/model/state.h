@@ -4,10 +4,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace aqc {
+#include "adaptive_quadrotor_control/math/constants.h"
 
-/// Standard gravity as the thesis and RotorS use it [m/s^2]; it acts along -z of the world W.
-constexpr double kGravity = 9.81;
+namespace aqc {
 
 /// Motion of a rigid body. W is the ENU world, B the FLU body (REP-103).
 struct State {

@@ -7,7 +7,7 @@
 
 namespace aqc {
 
-/// The set point of one instant of a trajectory: position to acceleration, yaw and its rate.
+/// The set point of one instant of a trajectory: position to jerk, yaw to its acceleration.
 SetPoint toSetPoint(const FlatOutput& output);
 
 /// The most set points that one leg may have: nearly three hours at 100 Hz, about 100 MB.

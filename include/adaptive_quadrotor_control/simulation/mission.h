@@ -43,7 +43,7 @@ struct Mission {
 /// hold) ends. `yaw_deg` stays as it was when not given. Entries stand in the order of the times at
 /// which they begin, and a leg begins no earlier than the last one ends.
 ///
-/// A path or a sine becomes set points with velocity and acceleration, one every
+/// A path or a sine becomes set points with velocity, acceleration and jerk, one every
 /// `set_point_period`; one that makes more than kMostSetPoints is refused. Throws ParameterError.
 Mission readMission(const ParameterReader& scenario, const std::map<std::string, Payload>& payloads,
                     const SetPoint& start, Nanoseconds set_point_period);

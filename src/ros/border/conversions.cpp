@@ -23,11 +23,31 @@ SetPoint toSetPoint(const trajectory_msgs::MultiDOFJointTrajectoryPoint& point, 
   }
   if (!point.accelerations.empty()) {
     set_point.acceleration = toEigen(point.accelerations.front().linear);
+    set_point.yaw_acceleration = point.accelerations.front().angular.z;
   }
   if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) refusePoint(index, "has no unit quaternion");
   set_point.yaw = rollPitchYaw(rotation.normalized()).z();
   if (!set_point.valid()) refusePoint(index, "has a number that is not finite");
   return set_point;
+}
+
+// What one step of a path may take at most to count as sampled from it [s].
+constexpr double kLongestSample = 0.2;
+
+// The jerk, which the message has no place for, from its accelerations.
+void differentiate(const trajectory_msgs::MultiDOFJointTrajectory& trajectory,
+                   std::vector<TimedSetPoint>& set_points) {
+  for (std::size_t i = 0; i + 1 < set_points.size(); ++i) {
+    const auto& accelerations = trajectory.points[i].accelerations;
+    const auto& next_accelerations = trajectory.points[i + 1].accelerations;
+    if (accelerations.empty() || next_accelerations.empty()) continue;
+    const double interval = toSeconds(set_points[i + 1].time - set_points[i].time);
+    if (!(interval > 0.0 && interval <= kLongestSample)) continue;
+    SetPoint& set_point = set_points[i].set_point;
+    const SetPoint& next = set_points[i + 1].set_point;
+    set_point.jerk = (next.acceleration - set_point.acceleration) / interval;
+    if (!set_point.valid()) refusePoint(i, "has an acceleration too far from the next one's");
+  }
 }
 
 }  // namespace
@@ -105,6 +125,7 @@ std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTraje
     if (i > 0 && time < set_points.back().time) refusePoint(i, "is earlier than the one before");
     set_points.push_back({time, toSetPoint(trajectory.points[i], i)});
   }
+  differentiate(trajectory, set_points);
   return set_points;
 }
 
@@ -126,6 +147,7 @@ trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSet
     point.velocities[0].angular.z = set_point.yaw_rate;
     point.accelerations.resize(1);
     point.accelerations[0].linear = toVector3(set_point.acceleration);
+    point.accelerations[0].angular.z = set_point.yaw_acceleration;
     trajectory.points.push_back(point);
   }
   return trajectory;

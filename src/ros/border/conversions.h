@@ -44,9 +44,12 @@ State toState(const nav_msgs::Odometry& odometry);
 nav_msgs::Odometry toOdometry(const State& state, Nanoseconds time);
 
 /// Set points of a trajectory that begins at `begin` (time_from_start counts from there). Absent
-/// velocities and accelerations are zero. Throws std::invalid_argument, naming the point and what
-/// is wrong with it, for a message without points, a point without transform, non-finite numbers,
-/// a rotation that is none, or times that go back.
+/// velocities and accelerations are zero; yaw_acceleration is the acceleration's angular.z. The
+/// message has no jerk: it is the difference of a point's and the next one's acceleration over the
+/// time between them, and zero for the last point, where either has no acceleration, and where that
+/// time is zero or longer than 0.2 s, which is no sampled path. Throws std::invalid_argument,
+/// naming the point and what is wrong with it, for a message without points, a point without
+/// transform, non-finite numbers or jerks, a rotation that is none, or times that go back.
 std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTrajectory& trajectory,
                                        Nanoseconds begin);
 trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSetPoint>& set_points,

@@ -26,8 +26,10 @@ TEST(Sampling, OneSetPointEveryPeriodAndOneAtTheEnd) {
   EXPECT_EQ(samples[2].set_point.position, middle.derivative[0].head<3>());
   EXPECT_EQ(samples[2].set_point.velocity, middle.derivative[1].head<3>());
   EXPECT_EQ(samples[2].set_point.acceleration, middle.derivative[2].head<3>());
+  EXPECT_EQ(samples[2].set_point.jerk, middle.derivative[3].head<3>());
   EXPECT_EQ(samples[2].set_point.yaw, middle.derivative[0][3]);
   EXPECT_EQ(samples[2].set_point.yaw_rate, middle.derivative[1][3]);
+  EXPECT_EQ(samples[2].set_point.yaw_acceleration, middle.derivative[2][3]);
   EXPECT_EQ(samples[4].set_point.position, Eigen::Vector3d(3, 1, 2));
 }
 

@@ -135,11 +135,12 @@ TEST(Mission, SinesCarryTheirDerivativesAndEndAtRest) {
   EXPECT_NEAR(sample.set_point.position.z(), 2.0 + 0.5 * std::sin(1.0), 1e-15);
   EXPECT_NEAR(sample.set_point.velocity.z(), std::cos(1.0), 1e-15);
   EXPECT_NEAR(sample.set_point.acceleration.z(), -2.0 * std::sin(1.0), 1e-15);
+  EXPECT_NEAR(sample.set_point.jerk.z(), -4.0 * std::cos(1.0), 1e-15);
   EXPECT_EQ(sample.set_point.yaw, 0.5) << "stays as it was";
   const SetPoint& end = mission.set_points[20].set_point;
   EXPECT_EQ(mission.set_points[20].time, 3 * kSecond);
   EXPECT_NEAR(end.position.z(), 2.0 + 0.5 * std::sin(4.0), 1e-15);
-  EXPECT_EQ(end.velocity.norm() + end.acceleration.norm(), 0.0);
+  EXPECT_EQ(end.velocity.norm() + end.acceleration.norm() + end.jerk.norm(), 0.0);
   EXPECT_EQ(mission.set_points.back().time, 4 * kSecond);
 }
 

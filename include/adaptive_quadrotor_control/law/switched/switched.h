@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adaptive_quadrotor_control/law/control_law.h"
+#include "adaptive_quadrotor_control/law/max_subsystems.h"
 #include "adaptive_quadrotor_control/law/switched/subsystem_switch.h"
 #include "adaptive_quadrotor_control/law/switched/switched_law.h"
 #include "adaptive_quadrotor_control/math/filtered_derivative.h"
@@ -9,9 +10,6 @@
 namespace aqc {
 
 class ParameterReader;
-
-/// Most subsystems one switched law may have.
-constexpr int kMaxSubsystems = 8;
 
 /// The switched adaptive controller of thesis chapter 3 for vertical operations: height and
 /// attitude are tracked, the law knows neither mass nor inertia, and it changes its gains with the
