@@ -29,7 +29,7 @@ int main(int argc, char** argv) try {
   for (int step = 0; step <= 40 * kRate; ++step) {
     if (step == 20 * kRate) plant.attach(box);
     const aqc::State state = plant.state();
-    const aqc::Allocation& rotors = controller.step(state, &hover, 1.0 / kRate);
+    const aqc::Allocation& rotors = controller.step({state}, &hover, 1.0 / kRate);
     plant.step(rotors.speeds, 1.0 / kRate);
     if (step % (4 * kRate) == 0) {
       std::printf("%8d  %10.3f  %10.2f\n", step / kRate, state.position.z(),
