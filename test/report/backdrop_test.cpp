@@ -21,9 +21,9 @@ TEST(Backdrop, OfAScenarioHasItsPayloadsWallsAndMission) {
   scenario.mission.set_points[1].set_point.position = {-5.0, 0.0, 1.0};
   scenario.world.walls = {{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}};
   scenario.mission.events = {{fromSeconds(2.0), payload(0.5)},
-                     {fromSeconds(3.0), SetWind{Eigen::Vector3d::Zero()}},
-                     {fromSeconds(4.0), DetachPayload{}},
-                     {fromSeconds(6.0), payload(0.25)}};
+                             {fromSeconds(3.0), SetWind{Eigen::Vector3d::Zero()}},
+                             {fromSeconds(4.0), DetachPayload{}},
+                             {fromSeconds(6.0), payload(0.25)}};
   const Backdrop backdrop = backdropOf(scenario);
   EXPECT_EQ(backdrop.title, "Over the wall");
   EXPECT_EQ(backdrop.duration, fromSeconds(9.0));
