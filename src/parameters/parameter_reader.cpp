@@ -266,6 +266,7 @@ void ParameterReader::skip(const std::string& key) const {
   const auto skip_all = [](const ParameterReader& map) {
     for (const std::string& name : map.keys()) map.skip(name);
   };
+  if (!has(key)) return;
   const YAML::Node node = find(key);
   if (node.IsMap()) skip_all(child(key));
   if (!node.IsSequence() || node.size() == 0 || !node[0].IsMap()) return;

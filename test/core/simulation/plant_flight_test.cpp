@@ -71,6 +71,22 @@ TEST(Plant, AttitudeStaysOfUnitNormInAFastSpin) {
   }
 }
 
+TEST(Plant, ACopyFliesOnByItself) {
+  const Vehicle vehicle = test::pelican();
+  RigidPlant plant(vehicle, highUp());
+  plant.attach(test::box(0.5));
+  const RigidPlant before = plant;
+  RigidPlant assigned(vehicle, State());
+  assigned = plant;
+  const RotorArray command = test::hoverSpeeds(vehicle, 3.0);
+  for (int i = 0; i < 100; ++i) plant.step(command, 1e-3);
+  EXPECT_TRUE(test::sameBits(before.state(), assigned.state()));
+  EXPECT_NE(before.state().velocity.z(), plant.state().velocity.z());
+  for (int i = 0; i < 100; ++i) assigned.step(command, 1e-3);
+  EXPECT_TRUE(test::sameBits(assigned.state(), plant.state()));
+  EXPECT_EQ(assigned.payloadMass(), 0.5);
+}
+
 TEST(Plant, DriftsTowardsTheWindExponentially) {
   Vehicle vehicle = test::pelican();
   vehicle.inertia *= 1e12;  // holds its attitude

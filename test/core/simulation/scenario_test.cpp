@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -106,6 +108,28 @@ TEST(Scenario, PayloadsAreSolidBoxesUnlessTheirInertiaIsGiven) {
   yaml = replaced(kGood, "payload: box", "payload: rod");
   EXPECT_EQ(std::get<AttachPayload>(read(yaml).mission.events[0].action).payload.inertia.diagonal(),
             Eigen::Vector3d(1.0, 2.0, 2.5));
+}
+
+// Leaves not-a-number behind where the next function and the next allocations put their values.
+[[gnu::noinline]] void soilMemory() {
+  volatile double stack[4096];
+  for (volatile double& value : stack) value = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t size = 1; size < 4096; size *= 2) {
+    const std::vector<double> heap(size, double(stack[0]));
+    EXPECT_TRUE(std::isnan(heap.back()));
+  }
+}
+
+TEST(Scenario, CargoLiesStillAtTheStart) {
+  const std::string file = test::configFile("scenario/payload_transport");
+  const ParameterReader reader(loadYamlFile(file), file);
+  soilMemory();
+  const World world = readWorld(reader);
+  ASSERT_GE(world.cargo.size(), 2u);
+  for (const Cargo& cargo : world.cargo) {
+    EXPECT_EQ(cargo.velocity, Eigen::Vector3d::Zero()) << cargo.name;
+    EXPECT_EQ(cargo.position.z(), 0.5 * cargo.payload.size.z()) << cargo.name;
+  }
 }
 
 TEST(Scenario, ReadsEveryScenarioFile) {
