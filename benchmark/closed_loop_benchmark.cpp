@@ -19,7 +19,7 @@ Scenario scenarioNamed(const std::string& name) {
 void flight(benchmark::State& state, const std::string& law) {
   const Vehicle vehicle = test::pelican();
   Scenario scenario = scenarioNamed("aggressive_manoeuvre");
-  scenario.control_period = scenario.plant_step;
+  scenario.world.control_period = scenario.world.plant_step;
   double flown = 0.0;
   for (auto _ : state) {
     state.PauseTiming();  // reading files is not flying

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -24,10 +24,10 @@ void plantStep(benchmark::State& state, bool loaded) {
   const Vehicle vehicle = test::pelican();
   State start;
   start.position.z() = 1000.0;
-  Plant plant(vehicle, start);
+  RigidPlant plant(vehicle, start);
   if (loaded) plant.attach(test::box(0.5));
   const std::vector<RotorArray> commands = commandsAround(test::hoverSpeeds(vehicle, plant.mass()));
-  const Plant fresh = plant;
+  const RigidPlant fresh = plant;
   std::size_t next = 0;
   for (auto _ : state) {
     plant.step(commands[next], 1e-3);

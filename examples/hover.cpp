@@ -5,7 +5,7 @@
 
 #include "adaptive_quadrotor_control/law/law_factory.h"
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 
 int main(int argc, char** argv) try {
   const std::string config = argc > 1 ? argv[1] : "config";  // the folder of that name
@@ -14,7 +14,7 @@ int main(int argc, char** argv) try {
                                    aqc::loadLaw(config + "/controller/asmc.yaml", vehicle));
   aqc::State start;
   start.position = {0.0, 0.0, 0.1};  // on its feet
-  aqc::Plant plant(vehicle, start);
+  aqc::RigidPlant plant(vehicle, start);
   aqc::SetPoint hover;
   hover.position = {0.0, 0.0, 1.0};
 

@@ -61,7 +61,7 @@ std::vector<NamedLaw> loadControllers(const std::string& config,
 }
 
 void checkLength(const Scenario& scenario) {
-  const Nanoseconds steps = scenario.duration / scenario.control_period;
+  const Nanoseconds steps = scenario.duration / scenario.world.control_period;
   if (steps > kMaxSteps) {
     throw std::runtime_error("scenario '" + scenario.name + "' has " + std::to_string(steps) +
                              " control steps; at most " + std::to_string(kMaxSteps) +

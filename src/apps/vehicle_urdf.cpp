@@ -11,10 +11,18 @@
 
 namespace {
 
+// The vehicle that a scenario file names; its mission is nobody's business here.
+std::string vehicleOf(const std::string& scenario) {
+  const aqc::ParameterReader reader(aqc::loadYamlFile(scenario), scenario);
+  aqc::readWorldAlone(reader);
+  reader.finish();
+  return reader.text("vehicle");
+}
+
 // `VEHICLE`, or `--scenario SCENARIO` for the vehicle that it names, unless one follows.
 std::string vehicleName(const std::string& config, const std::vector<std::string>& arguments) {
   if (arguments.front() != "--scenario" || arguments.size() == 3) return arguments.back();
-  return aqc::loadScenario(aqc::findResource(config, "scenario", arguments.back())).vehicle;
+  return vehicleOf(aqc::findResource(config, "scenario", arguments.back()));
 }
 
 }  // namespace

@@ -262,6 +262,17 @@ std::vector<std::string> ParameterReader::keys() const {
   return keys;
 }
 
+void ParameterReader::skip(const std::string& key) const {
+  const auto skip_all = [](const ParameterReader& map) {
+    for (const std::string& name : map.keys()) map.skip(name);
+  };
+  if (!has(key)) return;
+  const YAML::Node node = find(key);
+  if (node.IsMap()) skip_all(child(key));
+  if (!node.IsSequence() || node.size() == 0 || !node[0].IsMap()) return;
+  for (const ParameterReader& entry : children(key)) skip_all(entry);
+}
+
 void ParameterReader::finish() const {
   refuseUnknown(tree_, name_, *known_);
 }

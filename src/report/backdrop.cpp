@@ -18,18 +18,20 @@ Backdrop backdropOf(const Scenario& scenario) {
   Backdrop backdrop;
   backdrop.title = scenario.title;
   backdrop.duration = scenario.duration;
-  backdrop.walls = scenario.walls;
-  backdrop.mission = {scenario.start.position, scenario.start.position};
-  for (const TimedSetPoint& timed : scenario.set_points) {
+  backdrop.walls = scenario.world.walls;
+  backdrop.mission = {scenario.world.start.position, scenario.world.start.position};
+  for (const TimedSetPoint& timed : scenario.mission.set_points) {
     backdrop.mission.min = backdrop.mission.min.cwiseMin(timed.set_point.position);
     backdrop.mission.max = backdrop.mission.max.cwiseMax(timed.set_point.position);
   }
-  for (const PlantEvent& event : scenario.events) {
-    if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
-      backdrop.payloads.push_back({event.time, std::nullopt, attach->payload.mass});
-    } else if (std::holds_alternative<DetachPayload>(event.action)) {
-      backdrop.payloads.back().to = event.time;
-    }
+  for (const PlantEvent& event : scenario.mission.events) {
+    const Overloaded add{
+        [&](const AttachPayload& attach) {
+          backdrop.payloads.push_back({event.time, std::nullopt, attach.payload.mass});
+        },
+        [&](const DetachPayload&) { backdrop.payloads.back().to = event.time; },
+        [](const SetWind&) {}, [](const SetBody&) {}, [](const ApplyDisturbance&) {}};
+    std::visit(add, event.action);
   }
   return backdrop;
 }

@@ -7,14 +7,13 @@ namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
                        std::unique_ptr<ControlLaw> law)
-    : plant_(Plant(vehicle, scenario.start, scenario.walls, scenario.ground), scenario.cargo,
-             scenario.plant_step),
-      pilot_(vehicle, std::move(law), scenario.control_period, StepClock::Trigger::kOdometry),
-      period_(scenario.control_period),
+    : plant_(makePlant(vehicle, scenario.world), scenario.world.cargo, scenario.world.plant_step),
+      pilot_(vehicle, std::move(law), scenario.world.control_period, StepClock::Trigger::kOdometry),
+      period_(scenario.world.control_period),
       duration_(scenario.duration) {
-  for (const PlantEvent& event : scenario.events) plant_.schedule(event);
-  for (const SwitchOrder& order : scenario.switches) pilot_.order(order);
-  pilot_.plan(scenario.set_points, plant_.now(), plant_.now());
+  for (const PlantEvent& event : scenario.mission.events) plant_.schedule(event);
+  for (const SwitchOrder& order : scenario.mission.switches) pilot_.order(order);
+  pilot_.plan(scenario.mission.set_points, plant_.now(), plant_.now());
 }
 
 void ClosedLoop::advance() {

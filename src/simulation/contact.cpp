@@ -1,4 +1,4 @@
-#include "adaptive_quadrotor_control/simulation/contact.h"
+#include "simulation/contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +14,6 @@ constexpr double kDampingRatio = 0.5;  // of the empty vehicle bouncing on its f
 constexpr double kFriction = 0.7;      // Coulomb coefficient
 
 }  // namespace
-
-const char* toString(Crash crash) {
-  switch (crash) {
-    case Crash::kNone:
-      return "none";
-    case Crash::kHardImpact:
-      return "hard impact";
-    case Crash::kTiltedContact:
-      return "tilted contact";
-    case Crash::kRotorStrike:
-      return "rotor strike";
-    case Crash::kWallStrike:
-      return "wall strike";
-  }
-  return "unknown";
-}
 
 Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
     : walls_(std::move(walls)),

@@ -42,7 +42,7 @@ FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::strin
   if (const SubsystemSwitch* subsystems = loop.pilot().law().subsystems()) {
     log.dwell_time = subsystems->text();
   }
-  const Nanoseconds steps = (scenario.duration - 1) / scenario.control_period + 1;
+  const Nanoseconds steps = (scenario.duration - 1) / scenario.world.control_period + 1;
   log.samples.reserve(static_cast<std::size_t>(std::max<Nanoseconds>(steps, 0)));
   flyToTheEnd(loop, [&](Nanoseconds, bool) {
     log.samples.push_back(loop.sample());

@@ -1,5 +1,7 @@
 #include "adaptive_quadrotor_control/simulation/payload.h"
 
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+
 namespace aqc {
 
 Eigen::Matrix3d boxInertia(double mass, const Eigen::Vector3d& size) {

@@ -1,61 +1,13 @@
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "adaptive_quadrotor_control/math/rotations.h"
-#include "adaptive_quadrotor_control/simulation/mission.h"
 
 namespace aqc {
 namespace {
 
 constexpr double kLongest = 1e6;  // flight [s]
-
-Nanoseconds readPeriod(const ParameterReader& reader, const std::string& key) {
-  return fromSeconds(1.0 / reader.number(key, Range::between(1.0, 1e5)));
-}
-
-State readStart(const ParameterReader& reader) {
-  State start;
-  start.position = reader.vector3("position", Range::any());
-  const Range tilt = Range::between(-89.0, 89.0);
-  const double roll = reader.angle("roll_deg", tilt, 0.0);
-  const double pitch = reader.angle("pitch_deg", tilt, 0.0);
-  start.attitude = yawRotation(reader.angle("yaw_deg", Range::between(-360.0, 360.0)));
-  if (roll != 0.0 || pitch != 0.0) {
-    start.attitude = start.attitude * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-                     Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
-  }
-  return start;
-}
-
-// Payloads with a `place` lie there, on the ground, until they are picked up; the others appear
-// when attached.
-std::map<std::string, Payload> readPayloads(const ParameterReader& reader, bool ground,
-                                            std::vector<Cargo>& cargo) {
-  std::map<std::string, Payload> payloads;
-  for (const std::string& name : reader.keys()) {
-    const ParameterReader entry = reader.child(name);
-    payloads[name] = readPayload(entry);
-    if (!entry.has("place")) continue;
-    if (!ground) {
-      entry.refuse("place", "is " + entry.valueText("place") +
-                                ", on the ground, but 'ground' is false; leave one of them out");
-    }
-    const std::vector<double> place = entry.numbers("place", 2, Range::any());
-    const double height = 0.5 * payloads[name].size.z();
-    cargo.push_back({name, payloads[name], {place[0], place[1], height}, Eigen::Vector3d::Zero()});
-  }
-  return payloads;
-}
-
-Box readBox(const ParameterReader& reader) {
-  Box box{reader.vector3("min", Range::any()), reader.vector3("max", Range::any())};
-  if (!((box.max - box.min).array() > 0.0).all()) {
-    reader.refuseValue("max", "above 'min' " + reader.valueText("min") + " in every axis");
-  }
-  return box;
-}
 
 RmsErrors readPublished(const ParameterReader& reader) {
   RmsErrors errors;
@@ -64,20 +16,20 @@ RmsErrors readPublished(const ParameterReader& reader) {
   return errors;
 }
 
-void checkRates(const ParameterReader& reader, const Scenario& scenario) {
-  if (scenario.control_period % scenario.plant_step == 0) return;
-  reader.refuseValue("plant_rate", "a whole multiple of 'control_rate' " +
-                                       reader.valueText("control_rate") + "; steps of " +
-                                       std::to_string(scenario.plant_step) +
-                                       " ns do not fill a control period of " +
-                                       std::to_string(scenario.control_period) + " ns");
+// Standing there.
+SetPoint setPointAt(const State& state) {
+  SetPoint set_point;
+  set_point.position = state.position;
+  set_point.yaw = rollPitchYaw(state.attitude).z();
+  return set_point;
 }
 
 void checkDuration(const ParameterReader& reader, const Scenario& scenario) {
+  const Mission& mission = scenario.mission;
   Nanoseconds last = 0;
-  if (!scenario.set_points.empty()) last = scenario.set_points.back().time;
-  if (!scenario.events.empty()) last = std::max(last, scenario.events.back().time);
-  if (!scenario.switches.empty()) last = std::max(last, scenario.switches.back().time);
+  if (!mission.set_points.empty()) last = mission.set_points.back().time;
+  if (!mission.events.empty()) last = std::max(last, mission.events.back().time);
+  if (!mission.switches.empty()) last = std::max(last, mission.switches.back().time);
   if (scenario.duration < last) {
     reader.refuseValue("duration", "no less than the mission, which lasts until " +
                                        numberText(toSeconds(last)) + " s");
@@ -97,11 +49,13 @@ Nanoseconds readMetricsFrom(const ParameterReader& reader, Nanoseconds duration)
 }  // namespace
 
 Nanoseconds Scenario::lastPayloadChange() const {
+  const Overloaded changes_payload{
+      [](const AttachPayload&) { return true; }, [](const DetachPayload&) { return true; },
+      [](const SetBody&) { return true; }, [](const SetWind&) { return false; },
+      [](const ApplyDisturbance&) { return false; }};
   Nanoseconds last = 0;
-  for (const PlantEvent& event : events) {
-    const bool weather = std::holds_alternative<SetWind>(event.action) ||
-                         std::holds_alternative<ApplyDisturbance>(event.action);
-    if (!weather) last = event.time;
+  for (const PlantEvent& event : mission.events) {
+    if (std::visit(changes_payload, event.action)) last = event.time;
   }
   return last;
 }
@@ -117,28 +71,9 @@ Scenario readScenario(const ParameterReader& reader) {
   scenario.vehicle = reader.text("vehicle");
   scenario.controllers = reader.texts("controllers");
   scenario.duration = fromSeconds(reader.number("duration", Range::positiveUpTo(kLongest)));
-  scenario.control_period = readPeriod(reader, "control_rate");
-  scenario.plant_step = readPeriod(reader, "plant_rate");
-  checkRates(reader, scenario);
-  scenario.start = readStart(reader.child("start"));
-
-  scenario.ground = reader.flag("ground", true);
-  std::map<std::string, Payload> payloads;
-  if (reader.has("payloads")) {
-    payloads = readPayloads(reader.child("payloads"), scenario.ground, scenario.cargo);
-  }
-  if (reader.has("walls")) {
-    for (const ParameterReader& wall : reader.children("walls")) {
-      scenario.walls.push_back(readBox(wall));
-    }
-  }
-  SetPoint start;
-  start.position = scenario.start.position;
-  start.yaw = rollPitchYaw(scenario.start.attitude).z();
-  Mission mission = readMission(reader, payloads, start, readPeriod(reader, "set_point_rate"));
-  scenario.set_points = std::move(mission.set_points);
-  scenario.events = std::move(mission.events);
-  scenario.switches = std::move(mission.switches);
+  scenario.world = readWorld(reader);
+  scenario.mission = readMission(reader, scenario.world.payloads, setPointAt(scenario.world.start),
+                                 readPeriod(reader, "set_point_rate"));
   checkDuration(reader, scenario);
 
   scenario.metrics_from = readMetricsFrom(reader.child("metrics"), scenario.duration);
@@ -149,6 +84,14 @@ Scenario readScenario(const ParameterReader& reader) {
     }
   }
   return scenario;
+}
+
+World readWorldAlone(const ParameterReader& reader) {
+  for (const char* other : {"name", "title", "vehicle", "controllers", "duration", "set_point_rate",
+                            "mission", "metrics", "published"}) {
+    reader.skip(other);
+  }
+  return readWorld(reader);
 }
 
 Scenario loadScenario(const std::string& path) {

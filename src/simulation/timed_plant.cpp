@@ -9,12 +9,14 @@
 
 namespace aqc {
 
-TimedPlant::TimedPlant(Plant plant, std::vector<Cargo> cargo, Nanoseconds step, Nanoseconds start)
+TimedPlant::TimedPlant(std::unique_ptr<Plant> plant, std::vector<Cargo> cargo, Nanoseconds step,
+                       Nanoseconds start)
     : plant_(std::move(plant)), cargo_(std::move(cargo)), step_(step), now_(start) {
+  if (!plant_) throw std::invalid_argument("there is no plant");
   if (step <= 0) throw std::invalid_argument("the plant's step must be > 0 ns");
-  if (toSeconds(step) > plant_.longestStep()) {
+  if (toSeconds(step) > plant_->longestStep()) {
     throw std::invalid_argument("the plant's step is " + numberText(toSeconds(step)) +
-                                " s; it must be <= " + numberText(plant_.longestStep()) +
+                                " s; it must be <= " + numberText(plant_->longestStep()) +
                                 " s for a vehicle of so little inertia to stand on the ground, "
                                 "or the scenario without ground and walls");
   }
@@ -25,16 +27,18 @@ void TimedPlant::schedule(const PlantEvent& event) {
   const auto later = [](const PlantEvent& a, const PlantEvent& b) { return a.time < b.time; };
   events.insert(std::upper_bound(events.begin(), events.end(), event, later), event);
 
-  bool attached = plant_.payload().has_value();
-  for (const PlantEvent& planned : events) {
-    const bool attach = std::holds_alternative<AttachPayload>(planned.action);
-    if (!attach && !std::holds_alternative<DetachPayload>(planned.action)) continue;
+  bool attached = plant_->payload().has_value();
+  const auto follow = [&attached](bool attach) {
     if (attach == attached) {
       throw std::logic_error(attached ? "a payload is attached already; detach it first"
                                       : "no payload is attached");
     }
     attached = attach;
-  }
+  };
+  const Overloaded follow_payload{
+      [&](const AttachPayload&) { follow(true); }, [&](const DetachPayload&) { follow(false); },
+      [](const SetWind&) {}, [](const SetBody&) {}, [](const ApplyDisturbance&) {}};
+  for (const PlantEvent& planned : events) std::visit(follow_payload, planned.action);
   events_ = std::move(events);
 }
 
@@ -45,15 +49,15 @@ std::vector<Cargo>::const_iterator TimedPlant::find(const std::string& name) con
 }
 
 bool TimedPlant::knows(const std::string& name) const {
-  return find(name) != cargo_.end() || (plant_.payload() && attached_name_ == name);
+  return find(name) != cargo_.end() || (plant_->payload() && attached_name_ == name);
 }
 
 std::string TimedPlant::obstacle(const AttachPayload& attach) const {
-  if (plant_.payload()) return "a payload is attached already";
-  if (plant_.crash() != Crash::kNone) return "the vehicle has crashed";
+  if (plant_->payload()) return "a payload is attached already";
+  if (plant_->crash() != Crash::kNone) return "the vehicle has crashed";
   const auto cargo = find(attach.name);
   if (cargo == cargo_.end()) return "";
-  const State& state = plant_.state();
+  const State& state = plant_->state();
   const Eigen::Vector3d place = state.position + state.attitude * cargo->payload.offset;
   const double distance = (place - cargo->position).norm();
   if (distance <= kReach) return "";
@@ -69,39 +73,37 @@ void TimedPlant::attach(const AttachPayload& attach) {
   }
   const auto cargo = find(attach.name);
   if (cargo == cargo_.end()) {
-    plant_.attach(attach.payload);
+    plant_->attach(attach.payload, Eigen::Vector3d::Zero());
   } else {
-    plant_.attach(cargo->payload, cargo->velocity);
+    plant_->attach(cargo->payload, cargo->velocity);
     cargo_.erase(cargo);
   }
   attached_name_ = attach.name;
 }
 
 void TimedPlant::detach() {
-  if (!plant_.payload()) {
+  if (!plant_->payload()) {
     refusals_.push_back({now_, "no payload is attached"});
     return;
   }
-  const State& state = plant_.state();
-  const Payload payload = *plant_.payload();
-  plant_.detach();
-  cargo_.push_back({attached_name_, payload, state.position + state.attitude * payload.offset,
-                    state.velocity + state.attitude * state.body_rate.cross(payload.offset)});
+  const Payload payload = *plant_->payload();
+  const FreeMotion motion = plant_->detach();
+  cargo_.push_back({attached_name_, payload, motion.position, motion.velocity});
   attached_name_.clear();
 }
 
 void TimedPlant::apply(const PlantEvent& event) {
-  if (const auto* pick_up = std::get_if<AttachPayload>(&event.action)) {
-    attach(*pick_up);
-  } else if (const auto* wind = std::get_if<SetWind>(&event.action)) {
-    plant_.setWind(wind->velocity);
-  } else if (const auto* body = std::get_if<SetBody>(&event.action)) {
-    plant_.setBody(body->mass, body->inertia);
-  } else if (const auto* disturbance = std::get_if<ApplyDisturbance>(&event.action)) {
-    disturbances_.push_back({event.time, *disturbance});
-  } else {
-    detach();
-  }
+  const Overloaded act{[this](const AttachPayload& payload) { attach(payload); },
+                       [this](const DetachPayload&) { detach(); },
+                       [this](const SetWind& wind) {
+                         wind_ = wind.velocity;
+                         plant_->setWind(wind_);
+                       },
+                       [this](const SetBody& body) { plant_->setBody(body.mass, body.inertia); },
+                       [&](const ApplyDisturbance& shape) {
+                         disturbances_.push_back({event.time, shape});
+                       }};
+  std::visit(act, event.action);
 }
 
 ForceMoment TimedPlant::disturbance() const noexcept {
@@ -124,7 +126,7 @@ void TimedPlant::disturb() {
   };
   disturbances_.erase(std::remove_if(disturbances_.begin(), disturbances_.end(), over),
                       disturbances_.end());
-  plant_.setDisturbance(disturbance());
+  plant_->setDisturbance(disturbance());
 }
 
 void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
@@ -135,10 +137,10 @@ void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
       events_.erase(events_.begin());
     }
     disturb();
-    plant_.step(command, dt);
-    for (Cargo& cargo : cargo_) cargo.fall(dt, plant_.hasGround());
+    plant_->step(command, dt);
+    for (Cargo& cargo : cargo_) cargo.fall(dt, plant_->hasGround());
     now_ += step_;
-    if (!crash_time_ && plant_.crash() != Crash::kNone) crash_time_ = now_;
+    if (!crash_time_ && plant_->crash() != Crash::kNone) crash_time_ = now_;
   }
 }
 

@@ -56,10 +56,10 @@ TEST(MeasuredFlights, TellThatTheVehicleStayedOnTheGround) {
   Scenario scenario = scenarioNamed("aggressive_manoeuvre");
   scenario.duration = fromSeconds(20.0);
   scenario.metrics_from = 0;
-  scenario.events = {};
-  for (TimedSetPoint& timed : scenario.set_points) timed.set_point.position.z() = -1.0;
+  scenario.mission.events = {};
+  for (TimedSetPoint& timed : scenario.mission.set_points) timed.set_point.position.z() = -1.0;
   const FlightMetrics metrics = flyBothWays(scenario, "asmc");
-  EXPECT_EQ(metrics.grounded_from, toSeconds(scenario.set_points.front().time));
+  EXPECT_EQ(metrics.grounded_from, toSeconds(scenario.mission.set_points.front().time));
 }
 
 TEST(MeasuredFlights, EndWithTheScenarioEvenInTheMiddleOfAControlPeriod) {
@@ -71,8 +71,8 @@ TEST(MeasuredFlights, EndWithTheScenarioEvenInTheMiddleOfAControlPeriod) {
 
 TEST(MeasuredFlights, NeedAStepWithASetPointAsTheLogDoes) {
   Scenario scenario = scenarioNamed("aggressive_manoeuvre");
-  scenario.set_points.clear();
-  scenario.events.clear();
+  scenario.mission.set_points.clear();
+  scenario.mission.events.clear();
   scenario.duration = fromSeconds(2.0);
   EXPECT_THROW(flyBothWays(scenario, "asmc"), std::invalid_argument);
   const Vehicle vehicle = test::vehicleNamed(scenario.vehicle);

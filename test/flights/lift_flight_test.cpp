@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const Flown& flown) {
 
 Scenario liftScenario(double rate) {
   Scenario scenario = loadScenario(test::configFile("scenario/vertical_lift"));
-  scenario.control_period = fromSeconds(1.0 / rate);
+  scenario.world.control_period = fromSeconds(1.0 / rate);
   return scenario;
 }
 
@@ -106,11 +106,11 @@ TEST(LiftFlights, OnlyActiveGainsAdaptAndOnlyGammaRests) {
 
 TEST(LiftFlights, RefusalsAreInTheLog) {
   Scenario scenario = liftScenario(250.0);
-  scenario.switches = {{fromSeconds(1), 2},
-                       {fromSeconds(1), 3},
-                       {fromSeconds(1), 1},
-                       {fromSeconds(2), 2},
-                       {fromSeconds(3), 8}};
+  scenario.mission.switches = {{fromSeconds(1), 2},
+                               {fromSeconds(1), 3},
+                               {fromSeconds(1), 1},
+                               {fromSeconds(2), 2},
+                               {fromSeconds(3), 8}};
   const FlightLog log = lift(scenario, {"lifter", 250.0, 0.1});
   ASSERT_EQ(log.refusals.size(), 2u);
   EXPECT_EQ(log.refusals[0].time, fromSeconds(2));

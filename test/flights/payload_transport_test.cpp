@@ -15,7 +15,8 @@ class PayloadTransport : public ::testing::Test {
 
   // How often the vehicle passed from one side of the wall to the other before `end`.
   int crossings(const FlightLog& log, Nanoseconds end) const {
-    const double middle = 0.5 * (scenario_.walls.front().min.x() + scenario_.walls.front().max.x());
+    const double middle =
+        0.5 * (scenario_.world.walls.front().min.x() + scenario_.world.walls.front().max.x());
     int count = 0;
     for (std::size_t i = 1; i < log.samples.size() && log.samples[i].time < end; ++i) {
       const bool before = log.samples[i - 1].state.position.x() > middle;

@@ -31,11 +31,11 @@ Scenario scenario() {
   scenario.name = "short";
   scenario.title = "A short flight";
   scenario.duration = fromSeconds(10.0);
-  scenario.control_period = fromSeconds(0.1);
+  scenario.world.control_period = fromSeconds(0.1);
   scenario.metrics_from = fromSeconds(4.0);
   AttachPayload attach;
   attach.payload.mass = 0.5;
-  scenario.events.push_back({fromSeconds(4.0), attach});
+  scenario.mission.events.push_back({fromSeconds(4.0), attach});
   scenario.published["good"].position = {0.2, 0.2, 0.0};
   scenario.published["good"].attitude = {4.0, 4.0, 4.0};
   return scenario;

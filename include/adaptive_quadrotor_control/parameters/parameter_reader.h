@@ -101,6 +101,10 @@ class ParameterReader {
   /// Refuses `key` unless the symmetric matrix that was made of it is positive definite.
   void requirePositiveDefinite(const std::string& key, const Eigen::MatrixXd& symmetric) const;
 
+  /// Takes the key, if it is there, and all names below it as read, whatever they hold: for who
+  /// needs a part of a tree whose other parts somebody else reads.
+  void skip(const std::string& key) const;
+
   /// Throws when the tree holds a name that no getter asked for, or one name twice. Call it on the
   /// outermost reader, after everything is read.
   void finish() const;

@@ -7,6 +7,7 @@
 #include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 namespace aqc {
 

@@ -7,7 +7,7 @@
 #include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
-#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+#include "adaptive_quadrotor_control/simulation/plant_action.h"
 
 namespace aqc {
 

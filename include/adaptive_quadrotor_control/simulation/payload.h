@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
-
 namespace aqc {
+
+class ParameterReader;
 
 /// A box that can be fixed rigidly under a vehicle.
 struct Payload {

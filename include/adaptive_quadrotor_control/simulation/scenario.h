@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/flight/metrics.h"
-#include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
-#include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
-#include "adaptive_quadrotor_control/reference/set_point_schedule.h"
-#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+#include "adaptive_quadrotor_control/simulation/mission.h"
+#include "adaptive_quadrotor_control/simulation/world.h"
 
 namespace aqc {
 
@@ -19,16 +17,9 @@ struct Scenario {
   std::string title;
   std::string vehicle;                   ///< name of a vehicle file
   std::vector<std::string> controllers;  ///< names of controller files, flown by default
+  World world;
+  Mission mission;
   Nanoseconds duration = 0;
-  Nanoseconds control_period = 0;  ///< a whole number of plant steps
-  Nanoseconds plant_step = 0;
-  State start;
-  std::vector<TimedSetPoint> set_points;  ///< by time
-  std::vector<PlantEvent> events;         ///< by time
-  std::vector<SwitchOrder> switches;      ///< by time; for laws with several subsystems
-  std::vector<Cargo> cargo;               ///< payloads that lie about at the start
-  std::vector<Box> walls;
-  bool ground = true;  ///< at z = 0; false: free flight everywhere, and nothing lies about
   Nanoseconds metrics_from = 0;                ///< RMS errors count from here to the end
   std::map<std::string, RmsErrors> published;  ///< by controller
 
@@ -41,6 +32,11 @@ MetricsWindow metricsWindow(const Scenario& scenario);
 
 /// Reads and validates a scenario; does not call reader.finish(). Throws ParameterError.
 Scenario readScenario(const ParameterReader& reader);
+
+/// The world of a scenario, for who needs nothing else: no mission is planned. The other parts are
+/// taken as they are, whatever they hold; names that no scenario has are still left for
+/// reader.finish() to refuse, which it does not call. Throws ParameterError.
+World readWorldAlone(const ParameterReader& reader);
 
 /// The scenario of a YAML file. Throws ParameterError.
 Scenario loadScenario(const std::string& path);

@@ -1,53 +1,27 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/simulation/cargo.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/plant_action.h"
 
 namespace aqc {
-
-/// Picks up the cargo of that name, or, if there is none, lets the payload appear where it fits.
-struct AttachPayload {
-  std::string name;
-  Payload payload;
-};
-struct DetachPayload {};
-struct SetWind {
-  Eigen::Vector3d velocity;  ///< of the air in W [m/s]
-};
-/// Mass and inertia of the vehicle itself become others.
-struct SetBody {
-  double mass;              ///< [kg]
-  Eigen::Matrix3d inertia;  ///< about its centre of mass, in B [kg m^2]
-};
-/// A force and a moment that act for a while: constant, or a sine that begins with 0.
-struct ApplyDisturbance {
-  Nanoseconds duration = 0;
-  ForceMoment amplitude = {};      ///< at the centre of mass, force in W, moment in B
-  double angular_frequency = 0.0;  ///< of the sine [rad/s]; 0: constant
-};
-/// Something that happens to the plant.
-using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody>;
-
-struct PlantEvent {
-  Nanoseconds time = 0;
-  PlantAction action;
-};
 
 /// A plant with a clock that counts whole steps, with payloads that lie about, and with events that
 /// act exactly at the first step not before their time. The offline flight and the ROS plant node
 /// both run this class.
 class TimedPlant {
  public:
-  /// `step` is the integration step, > 0 and at most the plant's longestStep(), else throws
-  /// std::invalid_argument; the clock starts at `start`.
-  TimedPlant(Plant plant, std::vector<Cargo> cargo, Nanoseconds step, Nanoseconds start = 0);
+  /// `plant` must be there; `step` is the integration step, > 0 and at most the plant's
+  /// longestStep(). Throws std::invalid_argument. The clock starts at `start`.
+  TimedPlant(std::unique_ptr<Plant> plant, std::vector<Cargo> cargo, Nanoseconds step,
+             Nanoseconds start = 0);
 
   /// Plans an event; one whose time has passed acts at the next step. Throws std::logic_error when
   /// the payload events would not alternate: attach, detach, attach, ...
@@ -65,11 +39,13 @@ class TimedPlant {
   void advance(const RotorArray& command, Nanoseconds until);
 
   Nanoseconds now() const noexcept { return now_; }
-  const Plant& plant() const noexcept { return plant_; }
+  const Plant& plant() const noexcept { return *plant_; }
   /// Payloads that are not attached.
   const std::vector<Cargo>& cargo() const noexcept { return cargo_; }
   /// Name of the attached payload; empty without one.
   const std::string& attachedName() const noexcept { return attached_name_; }
+  /// Velocity of the air in W [m/s].
+  const Eigen::Vector3d& wind() const noexcept { return wind_; }
   /// Sum of the disturbances that act at now(); each is held over a step.
   ForceMoment disturbance() const noexcept;
   /// Time of the first crash.
@@ -84,9 +60,10 @@ class TimedPlant {
   void disturb();
   std::vector<Cargo>::const_iterator find(const std::string& name) const;
 
-  Plant plant_;
+  std::unique_ptr<Plant> plant_;
   std::vector<Cargo> cargo_;
   std::string attached_name_;
+  Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();
   Nanoseconds step_;
   Nanoseconds now_;
   std::vector<PlantEvent> events_;  // still to come, by time

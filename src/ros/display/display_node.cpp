@@ -24,7 +24,7 @@ DisplayNode::DisplayNode() : vehicle_(readParameters(node_, "vehicle", readVehic
   const double rate = own.number("rate", Range::between(0.5, 100.0), 20.0);
   own.finish();
   if (node_.hasParam("scenario")) {
-    walls_ = readParameters(node_, "scenario", readScenario).walls;
+    walls_ = readParameters(node_, "scenario", readWorldAlone).walls;
   }
   if (!node_.hasParam("robot_description")) {
     node_.setParam("robot_description", vehicleUrdf(vehicle_));

@@ -38,7 +38,7 @@ GoalNode::GoalNode() : vehicle_(readParameters(node_, "vehicle", readVehicle)) {
   limits_.acceleration = 1.0;
   limits_.tilt = 0.5;
   limits_.thrust_to_weight = 1.5;
-  if (node_.hasParam("scenario")) start_ = readParameters(node_, "scenario", readScenario).start;
+  if (node_.hasParam("scenario")) start_ = readParameters(node_, "scenario", readWorldAlone).start;
 
   pose_publisher_ = node_.advertise<geometry_msgs::PoseStamped>("command/pose", 10);
   trajectory_publisher_ =

@@ -72,7 +72,7 @@ void MissionNode::waitFor(const std::string& what, const std::function<bool()>& 
 
 void MissionNode::sendSetPoints() {
   trajectory_publisher_.publish([this] {
-    std::vector<TimedSetPoint> set_points = scenario_.set_points;
+    std::vector<TimedSetPoint> set_points = scenario_.mission.set_points;
     for (TimedSetPoint& timed : set_points) timed.time += begin_;
     return toTrajectory(set_points, begin_);
   }());
@@ -82,18 +82,18 @@ void MissionNode::sendSetPoints() {
 
 void MissionNode::sendSwitches() {
   known_refusals_ = state_->switch_refusals;
-  if (scenario_.switches.empty() || state_->active_subsystem == 0) return;
+  if (scenario_.mission.switches.empty() || state_->active_subsystem == 0) return;
   waitFor("the controller to listen to " + switch_publisher_.getTopic(),
           [this] { return switch_publisher_.getNumSubscribers() > 0; });
   const std::size_t waiting = state_->switches_pending;
-  for (const SwitchOrder& order : scenario_.switches) {
+  for (const SwitchOrder& order : scenario_.mission.switches) {
     msgs::ActiveSubsystem message;
     message.header.stamp = toRosTime(begin_ + order.time);
     message.subsystem = static_cast<std::uint8_t>(order.subsystem);
     switch_publisher_.publish(message);
   }
   waitFor("the controller to accept the switches",
-          [&] { return state_->switches_pending >= waiting + scenario_.switches.size(); });
+          [&] { return state_->switches_pending >= waiting + scenario_.mission.switches.size(); });
 }
 
 void MissionNode::noteRefusals() {
@@ -117,7 +117,7 @@ void MissionNode::call(const std::string& name, Service& service) {
 }
 
 void MissionNode::sendEvents() {
-  for (const PlantEvent& event : scenario_.events) send(event);
+  for (const PlantEvent& event : scenario_.mission.events) send(event);
 }
 
 void MissionNode::send(const PlantEvent& event) {
@@ -177,8 +177,8 @@ FlightLog MissionNode::fly() {
   const ros::WallTime start = ros::WallTime::now();
   resume();
   ProgressBar progress("flying " + scenario_.name + " with " + state_->controller);
-  const Nanoseconds last = scenario_.duration - scenario_.control_period;
-  latest_ = -scenario_.control_period;
+  const Nanoseconds last = scenario_.duration - scenario_.world.control_period;
+  latest_ = -scenario_.world.control_period;
   while (latest_ < last) {
     const Nanoseconds before = latest_;
     waitFor("the next sample of the flight", [&] { return latest_ > before; });

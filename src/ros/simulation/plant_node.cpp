@@ -34,7 +34,7 @@ bool refuse(Response& response, const std::string& reason) {
 
 PlantNode::PlantNode()
     : vehicle_(readParameters(node_, "vehicle", readVehicle)),
-      scenario_(readParameters(node_, "scenario", readScenario)) {
+      world_(readParameters(node_, "scenario", readWorldAlone)) {
   const ParameterReader own = parameterReader(private_node_, "");
   lock_step_ = own.flag("lock_step", false);
   real_time_factor_ = own.number("real_time_factor", Range::positiveUpTo(1000.0), 1.0);
@@ -61,16 +61,15 @@ PlantNode::PlantNode()
                private_node_.advertiseService("apply_disturbance", &PlantNode::onDisturbance, this),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
-  const double period = toSeconds(scenario_.control_period) / real_time_factor_;
+  const double period = toSeconds(world_.control_period) / real_time_factor_;
   timer_ = node_.createWallTimer(ros::WallDuration(lock_step_ ? kRepeatAfter / 4 : period),
                                  &PlantNode::onWallTimer, this);
   publish();
 }
 
 void PlantNode::restart(Nanoseconds start) {
-  plant_ = std::make_unique<TimedPlant>(
-      Plant(vehicle_, scenario_.start, scenario_.walls, scenario_.ground), scenario_.cargo,
-      scenario_.plant_step, start);
+  plant_ = std::make_unique<TimedPlant>(makePlant(vehicle_, world_), world_.cargo,
+                                        world_.plant_step, start);
   command_ = RotorArray::Zero(static_cast<Eigen::Index>(vehicle_.rotors.size()));
   wall_start_ = last_progress_ = ros::WallTime::now();
   run_start_ = start;
@@ -100,22 +99,21 @@ void PlantNode::onWallTimer(const ros::WallTimerEvent&) {
   if (behind > kLongestBacklog * real_time_factor_) {
     wall_start_ = now;
     run_start_ = plant_->now();
-    behind = toSeconds(scenario_.control_period);
+    behind = toSeconds(world_.control_period);
   }
-  for (; behind >= toSeconds(scenario_.control_period);
-       behind -= toSeconds(scenario_.control_period)) {
+  for (; behind >= toSeconds(world_.control_period); behind -= toSeconds(world_.control_period)) {
     advance();
   }
 }
 
 void PlantNode::advance() {
-  plant_->advance(command_, plant_->now() + scenario_.control_period);
+  plant_->advance(command_, plant_->now() + world_.control_period);
   publish();
 }
 
 void PlantNode::publish() {
   last_progress_ = ros::WallTime::now();
-  const Nanoseconds time = plant_->now() - (paused_ ? scenario_.control_period : 0);
+  const Nanoseconds time = plant_->now() - (paused_ ? world_.control_period : 0);
   const ros::Time stamp = toRosTime(time);
   if (simulated_time_) {
     rosgraph_msgs::Clock clock;
@@ -180,7 +178,7 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
     status.cargo_positions.push_back(toPoint(cargo.position));
     status.cargo_sizes.push_back(toVector3(cargo.payload.size));
   }
-  status.wind = toVector3(plant.wind());
+  status.wind = toVector3(plant_->wind());
   status_publisher_.publish(status);
 }
 

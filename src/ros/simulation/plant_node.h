@@ -58,7 +58,7 @@ class PlantNode {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   Vehicle vehicle_;
-  Scenario scenario_;
+  World world_;
   bool lock_step_;
   double real_time_factor_;
   bool simulated_time_;

@@ -196,6 +196,16 @@ TEST(ParameterReader, PrintsNumbersAsAPersonWould) {
   EXPECT_EQ(numberText(0.1 + 0.2), "0.3") << "no noise";
 }
 
+TEST(ParameterReader, SkipsWhatSomebodyElseReads) {
+  const std::string yaml = "a: {b: 1, c: [{d: 2}, {e: {f: 3}}], g: [1, 2]}\nh: 4\n";
+  const ParameterReader reader = test::readerOf(yaml, "tree");
+  reader.skip("a");
+  reader.skip("z");  // not there
+  expectRefusal([&] { reader.finish(); }, {"'tree/h'", "unknown"});
+  reader.skip("h");
+  EXPECT_NO_THROW(reader.finish());
+}
+
 class YamlFile : public ::testing::Test {
  protected:
   void TearDown() override { std::remove(path_.c_str()); }

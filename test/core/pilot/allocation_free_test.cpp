@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
-#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 #include "support/heap_counter.h"
 
@@ -43,7 +43,7 @@ TEST_F(AllocationFree, PlantStepsInTheAirAndOnTheGround) {
     for (const bool loaded : {false, true}) {
       State start;
       start.position.z() = altitude;
-      Plant plant(vehicle_, start);
+      RigidPlant plant(vehicle_, start);
       if (loaded) plant.attach(test::box(0.5));
       const test::HeapCounter counter;
       for (const RotorArray& command : commands) plant.step(command, 1e-3);

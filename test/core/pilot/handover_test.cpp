@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
-#include "adaptive_quadrotor_control/simulation/timed_plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -52,7 +52,7 @@ class Flight {
   }
   const Vehicle vehicle_ = test::pelican();
   FlightController controller_;
-  Plant plant_;
+  RigidPlant plant_;
   SetPoint set_point_;
   double lowest_ = 10.0;
 };

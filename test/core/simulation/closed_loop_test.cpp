@@ -12,11 +12,11 @@ namespace {
 Scenario shortScenario() {
   Scenario scenario = loadScenario(test::configFile("scenario/aggressive_manoeuvre"));
   scenario.duration = fromSeconds(3.0);
-  scenario.start.position.z() = 1.0;
-  scenario.set_points.resize(1);
-  scenario.set_points[0].time = fromSeconds(0.0);
-  scenario.set_points[0].set_point.position = {0.5, -0.3, 1.5};
-  scenario.events = {{fromSeconds(2.0), AttachPayload{"box", test::box(0.5)}}};
+  scenario.world.start.position.z() = 1.0;
+  scenario.mission.set_points.resize(1);
+  scenario.mission.set_points[0].time = fromSeconds(0.0);
+  scenario.mission.set_points[0].set_point.position = {0.5, -0.3, 1.5};
+  scenario.mission.events = {{fromSeconds(2.0), AttachPayload{"box", test::box(0.5)}}};
   return scenario;
 }
 
@@ -37,12 +37,12 @@ TEST(ClosedLoop, HoldsTheRotorSpeedsBetweenControlSteps) {
   const Vehicle vehicle = test::pelican();
   const Scenario scenario = shortScenario();
   const FlightLog log = fly(scenario, vehicle, "asmc", test::lawNamed("asmc", vehicle), {});
-  TimedPlant plant(Plant(vehicle, scenario.start), {}, scenario.plant_step);
-  for (const PlantEvent& event : scenario.events) plant.schedule(event);
+  TimedPlant plant(makePlant(vehicle, scenario.world), {}, scenario.world.plant_step);
+  for (const PlantEvent& event : scenario.mission.events) plant.schedule(event);
   for (const FlightSample& sample : log.samples) {
     ASSERT_EQ(sample.time, plant.now());
     ASSERT_TRUE(test::sameBits(sample.state, plant.plant().state()));
-    plant.advance(sample.allocation.speeds, plant.now() + scenario.control_period);
+    plant.advance(sample.allocation.speeds, plant.now() + scenario.world.control_period);
   }
   EXPECT_EQ(plant.now(), scenario.duration);
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -15,7 +15,7 @@ RotorArray off() {
   return RotorArray::Zero(4);
 }
 
-void fly(Plant& plant, const RotorArray& command, double duration) {
+void fly(RigidPlant& plant, const RotorArray& command, double duration) {
   for (long i = 0; i < std::lround(duration / kStep); ++i) plant.step(command, kStep);
 }
 
@@ -32,7 +32,7 @@ State tilted(double altitude, double roll) {
 }
 
 /// Falls until it crashes or two seconds have gone by.
-Crash crashOf(Plant& plant, const RotorArray& command = off()) {
+Crash crashOf(RigidPlant& plant, const RotorArray& command = off()) {
   for (int i = 0; i < 2000 && plant.crash() == Crash::kNone; ++i) plant.step(command, kStep);
   return plant.crash();
 }
@@ -40,7 +40,7 @@ Crash crashOf(Plant& plant, const RotorArray& command = off()) {
 TEST(PlantContact, StandsStillAtGearHeight) {
   for (const char* name : {"pelican_thesis", "pelican", "hummingbird", "firefly"}) {
     const Vehicle vehicle = test::vehicleNamed(name);
-    Plant plant(vehicle, at(vehicle.gear_height));
+    RigidPlant plant(vehicle, at(vehicle.gear_height));
     fly(plant, RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size())), 20.0);
     EXPECT_NEAR(plant.state().position.z(), vehicle.gear_height, 1e-9) << name;
     EXPECT_LT(plant.state().position.head<2>().norm(), 1e-9) << name;
@@ -51,14 +51,14 @@ TEST(PlantContact, StandsStillAtGearHeight) {
 }
 
 TEST(PlantContact, AccelerometerReadsGravityAtRest) {
-  Plant plant(test::pelican(), at(0.1));
+  RigidPlant plant(test::pelican(), at(0.1));
   fly(plant, off(), 1.0);
   EXPECT_LT((plant.specificForce() - Eigen::Vector3d(0.0, 0.0, kGravity)).norm(), 1e-6);
 }
 
 TEST(PlantContact, SettlesAfterASoftLandingWithoutACrash) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, at(0.45));  // arrives with 2.6 m/s
+  RigidPlant plant(vehicle, at(0.45));  // arrives with 2.6 m/s
   double deepest = 1.0;
   for (int i = 0; i < 5000; ++i) {
     plant.step(off(), kStep);
@@ -73,11 +73,11 @@ TEST(PlantContact, SettlesAfterASoftLandingWithoutACrash) {
 TEST(PlantContact, RocksToRestWithTheLeastInertiaThatTheStepAllows) {
   for (const char* name : {"pelican", "pelican_thesis", "hummingbird", "firefly"}) {
     Vehicle vehicle = test::vehicleNamed(name);
-    ASSERT_GT(Plant(vehicle, at(0.1)).longestStep(), 2.0 * kStep) << name;
-    while (Plant(vehicle, at(0.1)).longestStep() > 1.01 * kStep) vehicle.inertia *= 0.99;
+    ASSERT_GT(RigidPlant(vehicle, at(0.1)).longestStep(), 2.0 * kStep) << name;
+    while (RigidPlant(vehicle, at(0.1)).longestStep() > 1.01 * kStep) vehicle.inertia *= 0.99;
     State start = at(vehicle.gear_height);
     start.body_rate = {0.5, -0.3, 0.2};
-    Plant plant(vehicle, start);
+    RigidPlant plant(vehicle, start);
     for (int i = 0; i < 3000; ++i) plant.step(off(), kStep);
     EXPECT_LT(plant.state().body_rate.norm(), 1e-6) << name;
     EXPECT_LT(plant.state().velocity.norm(), 1e-6) << name;
@@ -87,7 +87,7 @@ TEST(PlantContact, RocksToRestWithTheLeastInertiaThatTheStepAllows) {
 
 TEST(PlantContact, StaysOnTheGroundUnderThrustBelowItsWeight) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, at(0.1));
+  RigidPlant plant(vehicle, at(0.1));
   fly(plant, 0.9 * test::hoverSpeeds(vehicle, vehicle.mass), 5.0);
   EXPECT_NEAR(plant.state().position.z(), 0.1, 1.1e-3);
   EXPECT_TRUE(plant.touching());
@@ -100,7 +100,7 @@ TEST(PlantContact, StaysOnTheGroundUnderThrustBelowItsWeight) {
 TEST(PlantContact, SlidesToAStop) {
   State start = at(0.1);
   start.velocity.x() = 1.0;
-  Plant plant(test::pelican(), start);
+  RigidPlant plant(test::pelican(), start);
   fly(plant, off(), 2.0);
   EXPECT_LT(plant.state().velocity.norm(), 1e-6);
   // Coulomb friction alone needs v^2 / (2 mu g) = 7.3 cm; its viscous part a little more.
@@ -112,30 +112,30 @@ TEST(PlantContact, SlidesToAStop) {
 TEST(PlantContact, FrictionIsLimitedByTheNormalForce) {
   const Vehicle vehicle = test::pelican();
   const double weight = vehicle.mass * kGravity;
-  Plant pushed(vehicle, at(0.1));
+  RigidPlant pushed(vehicle, at(0.1));
   pushed.setDisturbance({{0.9 * kFriction * weight, 0.0, 0.0}, Eigen::Vector3d::Zero()});
   fly(pushed, off(), 1.0);
   EXPECT_LT(pushed.state().velocity.norm(), 0.1) << "no more than a slow creep";
-  Plant torn(vehicle, at(0.1));
+  RigidPlant torn(vehicle, at(0.1));
   torn.setDisturbance({{weight, 0.0, 0.0}, Eigen::Vector3d::Zero()});
   fly(torn, off(), 0.5);
   EXPECT_NEAR(torn.state().velocity.x(), (1.0 - kFriction) * kGravity * 0.5, 0.1);
 }
 
 TEST(PlantContact, AFallFromAMetreIsAHardImpact) {
-  Plant plant(test::pelican(), at(1.0));
+  RigidPlant plant(test::pelican(), at(1.0));
   EXPECT_EQ(crashOf(plant), Crash::kHardImpact);
   EXPECT_STREQ(toString(plant.crash()), "hard impact");
 }
 
 TEST(PlantContact, ARotorOnTheGroundIsARotorStrike) {
-  Plant plant(test::pelican(), tilted(0.2, 1.2));
+  RigidPlant plant(test::pelican(), tilted(0.2, 1.2));
   EXPECT_EQ(crashOf(plant), Crash::kRotorStrike);
   EXPECT_STREQ(toString(plant.crash()), "rotor strike");
 }
 
 TEST(PlantContact, TouchingWhileTiltedIsACrash) {
-  Plant plant(test::pelican(), tilted(0.26, 0.9));
+  RigidPlant plant(test::pelican(), tilted(0.26, 0.9));
   Payload deep = test::box(0.5);
   deep.offset.z() = -0.25;
   plant.attach(deep);
@@ -144,7 +144,7 @@ TEST(PlantContact, TouchingWhileTiltedIsACrash) {
 }
 
 TEST(PlantContact, ASlightlyTiltedSoftTouchIsNoCrash) {
-  Plant plant(test::pelican(), tilted(0.17, 0.3));
+  RigidPlant plant(test::pelican(), tilted(0.17, 0.3));
   fly(plant, off(), 2.0);
   EXPECT_EQ(plant.crash(), Crash::kNone);
   EXPECT_TRUE(plant.touching());
@@ -156,7 +156,7 @@ TEST(PlantContact, APayloadDraggedOverTheGroundTopplesTheVehicle) {
   for (const bool low : {true, false}) {
     State start = at(low ? 0.2 : 2.0);
     start.velocity.x() = 3.0;
-    Plant plant(vehicle, start);
+    RigidPlant plant(vehicle, start);
     plant.attach(test::box(0.5), start.velocity);
     bool touched = false;
     for (int i = 0; i < 800; ++i) {
@@ -174,7 +174,7 @@ TEST(PlantContact, FlyingIntoAWallIsAWallStrike) {
     State start = at(3.0);
     start.position.y() = y;
     start.velocity.x() = 6.0;
-    Plant plant(test::pelican(), start, {wall});
+    RigidPlant plant(test::pelican(), start, {wall});
     int steps = 0;
     const RotorArray hover = test::hoverSpeeds(test::pelican(), 1.0);
     for (; steps < 600 && plant.crash() == Crash::kNone; ++steps) plant.step(hover, kStep);
@@ -185,7 +185,7 @@ TEST(PlantContact, FlyingIntoAWallIsAWallStrike) {
 
 TEST(PlantContact, RotorsRunDownAfterACrash) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, tilted(0.2, 1.2));
+  RigidPlant plant(vehicle, tilted(0.2, 1.2));
   const RotorArray hover = test::hoverSpeeds(vehicle, vehicle.mass);
   ASSERT_NE(crashOf(plant, hover), Crash::kNone);
   const double speed = plant.rotorSpeeds()[0];
@@ -196,7 +196,7 @@ TEST(PlantContact, RotorsRunDownAfterACrash) {
 }
 
 TEST(PlantContact, TheFirstCrashIsKeptAndTheWreckComesToRest) {
-  Plant plant(test::pelican(), at(1.5));
+  RigidPlant plant(test::pelican(), at(1.5));
   ASSERT_EQ(crashOf(plant), Crash::kHardImpact);
   fly(plant, off(), 10.0);
   EXPECT_EQ(plant.crash(), Crash::kHardImpact);
@@ -207,10 +207,10 @@ TEST(PlantContact, TheFirstCrashIsKeptAndTheWreckComesToRest) {
 
 TEST(PlantContact, NothingTouchesInTheAir) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, at(0.102));
+  RigidPlant plant(vehicle, at(0.102));
   plant.step(off(), 1e-6);
   EXPECT_FALSE(plant.touching());
-  Plant standing(vehicle, at(0.0999));
+  RigidPlant standing(vehicle, at(0.0999));
   standing.step(off(), 1e-6);
   EXPECT_TRUE(standing.touching());
 }

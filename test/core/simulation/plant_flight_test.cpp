@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -18,7 +18,7 @@ State highUp() {
   return state;
 }
 
-void fly(Plant& plant, const RotorArray& command, double duration) {
+void fly(RigidPlant& plant, const RotorArray& command, double duration) {
   const auto steps = std::lround(duration / kStep);
   for (long i = 0; i < steps; ++i) plant.step(command, kStep);
 }
@@ -32,7 +32,7 @@ TEST(Plant, FallsFreelyWithoutRotors) {
   State start = highUp();
   start.velocity = {1.0, -2.0, 3.0};
   start.attitude = test::Dice(1).attitude();
-  Plant plant(vehicle, start);
+  RigidPlant plant(vehicle, start);
   fly(plant, off(vehicle), 2.0);
   // RK4 is exact for a parabola.
   const Eigen::Vector3d expected =
@@ -46,7 +46,7 @@ TEST(Plant, FallsFreelyWithoutRotors) {
 TEST(Plant, KeepsItsVelocityWhenThrustEqualsWeight) {
   for (const char* name : {"pelican_thesis", "pelican", "hummingbird", "firefly"}) {
     const Vehicle vehicle = test::vehicleNamed(name);
-    Plant plant(vehicle, highUp());
+    RigidPlant plant(vehicle, highUp());
     const RotorArray hover = test::hoverSpeeds(vehicle, vehicle.mass);
     fly(plant, hover, 1.0);
     // While the rotors speed up, thrust / weight is (1 - exp(-t / tau))^2, whose shortfall adds up
@@ -64,17 +64,33 @@ TEST(Plant, KeepsItsVelocityWhenThrustEqualsWeight) {
 TEST(Plant, AttitudeStaysOfUnitNormInAFastSpin) {
   State start = highUp();
   start.body_rate = {60.0, -50.0, 40.0};  // 88 rad/s, 0.09 rad a step
-  Plant plant(test::pelican(), start);
+  RigidPlant plant(test::pelican(), start);
   for (int i = 0; i < 2000; ++i) {
     plant.step(RotorArray::Zero(4), 1e-3);
     ASSERT_NEAR(plant.state().attitude.norm(), 1.0, 1e-12) << "step " << i;
   }
 }
 
+TEST(Plant, ACopyFliesOnByItself) {
+  const Vehicle vehicle = test::pelican();
+  RigidPlant plant(vehicle, highUp());
+  plant.attach(test::box(0.5));
+  const RigidPlant before = plant;
+  RigidPlant assigned(vehicle, State());
+  assigned = plant;
+  const RotorArray command = test::hoverSpeeds(vehicle, 3.0);
+  for (int i = 0; i < 100; ++i) plant.step(command, 1e-3);
+  EXPECT_TRUE(test::sameBits(before.state(), assigned.state()));
+  EXPECT_NE(before.state().velocity.z(), plant.state().velocity.z());
+  for (int i = 0; i < 100; ++i) assigned.step(command, 1e-3);
+  EXPECT_TRUE(test::sameBits(assigned.state(), plant.state()));
+  EXPECT_EQ(assigned.payloadMass(), 0.5);
+}
+
 TEST(Plant, DriftsTowardsTheWindExponentially) {
   Vehicle vehicle = test::pelican();
   vehicle.inertia *= 1e12;  // holds its attitude
-  Plant plant(vehicle, highUp());
+  RigidPlant plant(vehicle, highUp());
   const RotorArray hover = test::hoverSpeeds(vehicle, vehicle.mass);
   fly(plant, hover, 1.0);
   const double sink = plant.state().velocity.z();
@@ -95,7 +111,7 @@ TEST(Plant, RollingMomentAndDragTurnItAboutTheCentreOfMass) {
   // drag D at the rotors pitches the nose up (-y) by h D when the air comes from the front.
   Vehicle vehicle = test::pelican();
   vehicle.inertia *= 1e6;
-  Plant plant(vehicle, highUp());
+  RigidPlant plant(vehicle, highUp());
   plant.attach(test::box(0.5));
   const RotorArray hover = test::hoverSpeeds(vehicle, plant.mass());
   fly(plant, hover, 1.0);
@@ -112,7 +128,7 @@ TEST(Plant, RollingMomentAndDragTurnItAboutTheCentreOfMass) {
 
 TEST(Plant, YawsAgainstTheRotorsThatSpinFaster) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, highUp());
+  RigidPlant plant(vehicle, highUp());
   RotorArray command = test::hoverSpeeds(vehicle, vehicle.mass);
   for (Eigen::Index i = 0; i < 4; ++i) {
     command[i] *= vehicle.rotors[static_cast<std::size_t>(i)].direction > 0 ? 1.05 : 0.95;
@@ -123,7 +139,7 @@ TEST(Plant, YawsAgainstTheRotorsThatSpinFaster) {
 
 TEST(Plant, RotorsFollowTheirCommandWithTwoTimeConstants) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, highUp());
+  RigidPlant plant(vehicle, highUp());
   const RotorArray high = RotorArray::Constant(4, 800.0);
   const RotorArray low = RotorArray::Constant(4, 300.0);
   fly(plant, high, 0.02);
@@ -136,7 +152,7 @@ TEST(Plant, RotorsFollowTheirCommandWithTwoTimeConstants) {
 
 TEST(Plant, RotorsStayWithinTheirLimits) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, highUp());
+  RigidPlant plant(vehicle, highUp());
   RotorArray command(4);
   command << 1e9, -1e9, 500.0, vehicle.max_rotor_speed;
   for (int i = 0; i < 500; ++i) {
@@ -153,8 +169,8 @@ TEST(Plant, CommandsThatAreNotFiniteOrMissingCountAsZero) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, highUp());
-  Plant other(vehicle, highUp());
+  RigidPlant plant(vehicle, highUp());
+  RigidPlant other(vehicle, highUp());
   RotorArray bad(4);
   bad << kNan, kInf, -kInf, 600.0;
   RotorArray good(4);
@@ -175,7 +191,7 @@ TEST(Plant, TumblesWithoutTorqueKeepingEnergyAndAngularMomentum) {
   State start = highUp();
   start.attitude = test::Dice(2).attitude();
   start.body_rate = {0.1, 9.0, -0.2};  // about the middle axis: it flips over and over
-  Plant plant(vehicle, start);
+  RigidPlant plant(vehicle, start);
   const auto energy = [&] {
     return 0.5 * plant.state().body_rate.dot(vehicle.inertia * plant.state().body_rate);
   };
@@ -198,7 +214,7 @@ TEST(Plant, TumblesWithoutTorqueKeepingEnergyAndAngularMomentum) {
 
 TEST(Plant, DisturbancesActOnTheCentreOfMass) {
   const Vehicle vehicle = test::pelican();
-  Plant plant(vehicle, highUp());
+  RigidPlant plant(vehicle, highUp());
   plant.setDisturbance({{3.0, 0.0, 0.0}, {0.0, 0.0, 0.004}});
   fly(plant, off(vehicle), 0.5);
   EXPECT_NEAR(plant.state().velocity.x(), 3.0 / vehicle.mass * 0.5, 1e-10);
@@ -209,7 +225,7 @@ TEST(Plant, AccelerometerReadsZeroInFreeFall) {
   const Vehicle vehicle = test::pelican();
   State start = highUp();
   start.attitude = test::Dice(3).attitude();
-  Plant plant(vehicle, start);
+  RigidPlant plant(vehicle, start);
   fly(plant, off(vehicle), 0.1);
   EXPECT_LT(plant.specificForce().norm(), 1e-10);
 }
@@ -218,7 +234,7 @@ TEST(Plant, AccelerometerReadsWhatTheBodyOriginFeels) {
   const Vehicle vehicle = test::pelican();
   test::Dice dice(4);
   for (int i = 0; i < 20; ++i) {
-    Plant plant(vehicle, dice.airborneState());
+    RigidPlant plant(vehicle, dice.airborneState());
     if (i % 2 == 0) plant.attach(dice.payload());
     plant.setWind(dice.vector(5.0));
     const RotorArray command = dice.speeds(vehicle);

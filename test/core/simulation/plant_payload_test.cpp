@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -33,7 +33,7 @@ TEST(PlantPayload, MassCentreAndInertiaFollowFromParallelAxes) {
   test::Dice dice(1);
   for (int i = 0; i < 50; ++i) {
     const Payload payload = dice.payload();
-    Plant plant(vehicle, dice.airborneState());
+    RigidPlant plant(vehicle, dice.airborneState());
     plant.attach(payload);
     const double mass = vehicle.mass + payload.mass;
     const Eigen::Vector3d centre = payload.mass * payload.offset / mass;
@@ -54,7 +54,7 @@ TEST(PlantPayload, MassCentreAndInertiaFollowFromParallelAxes) {
 TEST(PlantPayload, HangingBoxWorkedByHand) {
   // 2 kg and 0.5 kg at z = -0.15: the centre lies at -0.03. Both about it:
   // 2 * 0.03^2 + 0.5 * 0.12^2 = 0.009, and the box itself 0.5 (0.01 + 0.01) / 12 = 1/1200.
-  Plant plant(test::pelican(), State());
+  RigidPlant plant(test::pelican(), State());
   plant.attach(test::box(0.5));
   EXPECT_NEAR(plant.mass(), 2.5, 1e-15);
   EXPECT_NEAR(plant.centreOfMass().z(), -0.03, 1e-15);
@@ -69,7 +69,7 @@ TEST(PlantPayload, AttachingKeepsMomentumOfVehicleAndRestingPayload) {
   for (int i = 0; i < 50; ++i) {
     const Payload payload = dice.payload();
     const State start = dice.airborneState();
-    Plant plant(vehicle, start);
+    RigidPlant plant(vehicle, start);
     plant.attach(payload);
     const Momentum before = momentumOf(vehicle, nullptr, start);
     const Momentum after = momentumOf(vehicle, &payload, plant.state());
@@ -87,7 +87,7 @@ TEST(PlantPayload, AttachingAPayloadThatMovesAlongChangesNothing) {
   State start;
   start.position.z() = 50.0;
   start.velocity = {3.0, -1.0, 2.0};
-  Plant plant(vehicle, start);
+  RigidPlant plant(vehicle, start);
   plant.attach(test::box(0.5), start.velocity);
   EXPECT_LT((plant.state().velocity - start.velocity).norm(), 1e-12);
   EXPECT_LT(plant.state().body_rate.norm(), 1e-12);
@@ -95,7 +95,7 @@ TEST(PlantPayload, AttachingAPayloadThatMovesAlongChangesNothing) {
 
 TEST(PlantPayload, AngularMomentumRefersToTheGivenPoint) {
   test::Dice dice(3);
-  Plant plant(test::pelican(), dice.airborneState());
+  RigidPlant plant(test::pelican(), dice.airborneState());
   plant.attach(dice.payload());
   const Eigen::Vector3d point = dice.vector(10.0);
   const Eigen::Vector3d shifted =
@@ -107,7 +107,7 @@ TEST(PlantPayload, DetachingLeavesTheVehiclesMotionAlone) {
   const Vehicle vehicle = test::pelican();
   test::Dice dice(4);
   for (int i = 0; i < 20; ++i) {
-    Plant plant(vehicle, dice.airborneState());
+    RigidPlant plant(vehicle, dice.airborneState());
     plant.attach(dice.payload());
     for (int step = 0; step < 20; ++step) plant.step(dice.speeds(vehicle), 1e-3);
     const State before = plant.state();
@@ -125,10 +125,10 @@ TEST(PlantPayload, FliesLikeAFreshVehicleAfterDetaching) {
   const RotorArray hover = test::hoverSpeeds(vehicle, vehicle.mass);
   State start;
   start.position.z() = 50.0;
-  Plant plant(vehicle, start);
+  RigidPlant plant(vehicle, start);
   plant.attach(test::box(0.7));
   plant.detach();
-  Plant fresh(vehicle, start);
+  RigidPlant fresh(vehicle, start);
   for (int i = 0; i < 300; ++i) {
     plant.step(hover, 1e-3);
     fresh.step(hover, 1e-3);
@@ -142,7 +142,7 @@ TEST(PlantPayload, TumblesTogetherKeepingItsMomentum) {
   const Payload payload = dice.payload();
   State start = dice.airborneState();
   start.position.z() = 1000.0;
-  Plant plant(vehicle, start);
+  RigidPlant plant(vehicle, start);
   plant.attach(payload);
   const auto spin = [&]() -> Eigen::Vector3d {
     return plant.angularMomentum(plant.state().position +
@@ -157,7 +157,7 @@ TEST(PlantPayload, TumblesTogetherKeepingItsMomentum) {
 }
 
 TEST(PlantPayload, OnlyOneAtATime) {
-  Plant plant(test::pelican(), State());
+  RigidPlant plant(test::pelican(), State());
   EXPECT_THROW(plant.detach(), std::logic_error);
   plant.attach(test::box(0.5));
   EXPECT_THROW(plant.attach(test::box(0.5)), std::logic_error);

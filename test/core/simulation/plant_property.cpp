@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "adaptive_quadrotor_control/math/rotations.h"
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -20,7 +20,7 @@ struct Flight {
   bool is_loaded = false;
 
   State fly() const {
-    Plant plant(test::pelican(), start);
+    RigidPlant plant(test::pelican(), start);
     plant.setWind(wind);
     plant.setDisturbance(disturbance);
     for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -95,7 +95,7 @@ RC_GTEST_PROP(Plants, KeepAUnitQuaternionAndTheirRotorsInLimits, ()) {
   test::Dice dice(*rc::gen::arbitrary<unsigned>());
   const Vehicle vehicle =
       test::vehicleNamed(*rc::gen::element<std::string>("pelican", "hummingbird", "firefly"));
-  Plant plant(vehicle, dice.airborneState());
+  RigidPlant plant(vehicle, dice.airborneState());
   for (int i = 0; i < 200; ++i) {
     RotorArray command = dice.speeds(vehicle);
     command *= dice.between(-2.0, 3.0);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 
 namespace aqc {
@@ -129,8 +129,8 @@ struct Motion {
     return book.fly(begin, duration);
   }
 
-  Plant makePlant() const {
-    Plant plant(book.vehicle, start);
+  RigidPlant makePlant() const {
+    RigidPlant plant(book.vehicle, start);
     if (is_loaded) plant.attach(load);
     plant.setWind(book.wind);
     plant.setDisturbance(book.disturbance);
@@ -138,7 +138,7 @@ struct Motion {
   }
 
   State plant(double duration, double step) const {
-    Plant plant = makePlant();
+    RigidPlant plant = makePlant();
     for (long i = 0; i < std::lround(duration / step); ++i) plant.step(book.command, step);
     return plant.state();
   }

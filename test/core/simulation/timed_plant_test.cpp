@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 #include "support/fixtures.h"
 #include "support/refusal.h"
@@ -18,10 +22,96 @@ RotorArray off() {
   return RotorArray::Zero(4);
 }
 
+std::unique_ptr<Plant> rigid(const Vehicle& vehicle, const State& start, bool ground = true) {
+  return std::make_unique<RigidPlant>(vehicle, start, std::vector<Box>(), ground);
+}
+
 TimedPlant plantAt(double altitude, Nanoseconds start = 0) {
   State state;
   state.position.z() = altitude;
-  return TimedPlant(Plant(test::pelican(), state), {}, kMillisecond, start);
+  return TimedPlant(rigid(test::pelican(), state), {}, kMillisecond, start);
+}
+
+/// A plant of another kind: it flies nowhere and writes down what it is asked for.
+class Scribe final : public Plant {
+ public:
+  using Notes = std::vector<std::string>;
+  explicit Scribe(Notes& notes) : notes_(notes), speeds_(off()) {}
+
+  void step(const RotorArray& command, double dt) noexcept override {
+    speeds_ = command;
+    note("step", dt);
+  }
+  double longestStep() const noexcept override { return 0.01; }
+  State state() const noexcept override { return {}; }
+  const RotorArray& rotorSpeeds() const noexcept override { return speeds_; }
+  Eigen::Vector3d specificForce() const noexcept override { return Eigen::Vector3d::Zero(); }
+  bool hasGround() const noexcept override { return false; }
+  bool touching() const noexcept override { return false; }
+  Crash crash() const noexcept override {
+    return speeds_[0] > 0.0 ? Crash::kWallStrike : Crash::kNone;
+  }
+  void attach(const Payload& payload, const Eigen::Vector3d& velocity) override {
+    payload_ = payload;
+    note("attach", velocity.x());
+  }
+  FreeMotion detach() override {
+    payload_.reset();
+    note("detach", 0.0);
+    return {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+  }
+  const std::optional<Payload>& payload() const noexcept override { return payload_; }
+  void setBody(double mass, const Eigen::Matrix3d&) override { note("body", mass); }
+  double payloadMass() const noexcept override { return 0.0; }
+  void setWind(const Eigen::Vector3d& velocity) noexcept override { note("wind", velocity.x()); }
+  void setDisturbance(const ForceMoment& disturbance) noexcept override {
+    note("disturbance", disturbance.force.x());
+  }
+
+ private:
+  void note(const char* what, double value) { notes_.push_back(formatted("%s %g", what, value)); }
+
+  Notes& notes_;
+  std::optional<Payload> payload_;
+  RotorArray speeds_;
+};
+
+TEST(TimedPlant, DrivesAnyPlant) {
+  Scribe::Notes notes;
+  const std::vector<Cargo> cargo = {
+      {"box", test::box(0.5), Eigen::Vector3d(0.0, 0.0, -0.15), Eigen::Vector3d(0.25, 0.0, 0.0)}};
+  TimedPlant plant(std::make_unique<Scribe>(notes), cargo, kMillisecond);
+  plant.schedule({0, SetWind{{3.0, 0.0, 0.0}}});
+  plant.schedule({0, SetBody{2.5, Eigen::Matrix3d::Identity()}});
+  plant.schedule({0, AttachPayload{"box", {}}});
+  plant.schedule(
+      {kMillisecond, ApplyDisturbance{kMillisecond, {{7.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}}});
+  plant.schedule({3 * kMillisecond, DetachPayload{}});
+  plant.advance(off(), kMillisecond);
+  EXPECT_EQ(plant.attachedName(), "box");
+  EXPECT_EQ(plant.wind().x(), 3.0);
+  plant.advance(off(), 4 * kMillisecond);
+  EXPECT_EQ(notes,
+            (Scribe::Notes{"wind 3", "body 2.5", "attach 0.25", "step 0.001", "disturbance 7",
+                           "step 0.001", "disturbance 0", "step 0.001", "detach 0", "step 0.001"}));
+  EXPECT_FALSE(plant.crashTime());
+  plant.advance(RotorArray::Constant(4, 1.0), 6 * kMillisecond);
+  EXPECT_EQ(plant.crashTime(), 5 * kMillisecond);
+  EXPECT_THROW(TimedPlant(std::make_unique<Scribe>(notes), {}, 11 * kMillisecond),
+               std::invalid_argument)
+      << "longer than its longest step";
+}
+
+TEST(TimedPlant, ALetGoPayloadMovesOnAsThePlantSays) {
+  Scribe::Notes notes;
+  TimedPlant plant(std::make_unique<Scribe>(notes), {}, kMillisecond);
+  plant.schedule({0, AttachPayload{"box", test::box(0.5)}});
+  plant.schedule({0, DetachPayload{}});
+  plant.advance(off(), kMillisecond);
+  ASSERT_EQ(plant.cargo().size(), 1u);
+  EXPECT_EQ(plant.cargo()[0].name, "box");
+  EXPECT_NEAR(plant.cargo()[0].position.x(), 1.004, 1e-12) << "after a step of free fall";
+  EXPECT_EQ(plant.cargo()[0].velocity.x(), 4.0);
 }
 
 TEST(TimedPlant, CountsWholeSteps) {
@@ -64,29 +154,29 @@ TEST(TimedPlant, ABodyChangesWithoutAJerk) {
   EXPECT_NEAR(plant.plant().state().velocity.z(), -kGravity * 0.011, 1e-12);
   EXPECT_NEAR(plant.plant().state().velocity.y(), 2.0 * 0.001, 1e-12);
   EXPECT_NEAR(plant.plant().state().body_rate.z(), 10.0 * 0.001, 1e-12);
-  EXPECT_EQ(plant.plant().mass(), 2.5);
-  EXPECT_EQ(plant.plant().payloadMass(), 0.5);
+  EXPECT_EQ(plant.plant().payloadMass(), 0.5) << "of 2.5 kg";
 }
 
 TEST(TimedPlant, WithoutGroundNothingHoldsTheVehicle) {
-  TimedPlant plant(Plant(test::pelican(), State(), {}, false), {}, kMillisecond);
+  TimedPlant plant(rigid(test::pelican(), State(), false), {}, kMillisecond);
   plant.advance(off(), 1000 * kMillisecond);
   EXPECT_NEAR(plant.plant().state().position.z(), -0.5 * kGravity, 1e-9);
   EXPECT_FALSE(plant.crashTime());
 }
 
-TEST(TimedPlant, NeedsAPositiveStep) {
-  const Plant plant(test::pelican(), State());
-  EXPECT_THROW(TimedPlant(plant, {}, 0), std::invalid_argument);
-  EXPECT_THROW(TimedPlant(plant, {}, -1), std::invalid_argument);
+TEST(TimedPlant, NeedsAPlantAndAPositiveStep) {
+  for (const Nanoseconds step : {0, -1}) {
+    EXPECT_THROW(TimedPlant(rigid(test::pelican(), State()), {}, step), std::invalid_argument);
+  }
+  EXPECT_THROW(TimedPlant(nullptr, {}, kMillisecond), std::invalid_argument);
 }
 
 TEST(TimedPlant, NeedsAStepThatKeepsTheVehicleOnItsFeet) {
   const Vehicle lifter = test::vehicleNamed("lifter");  // 1.7e-5 kg m^2
   const std::string reason = test::refusal<std::invalid_argument>(
-      [&] { TimedPlant(Plant(lifter, State()), {}, kMillisecond); });
+      [&] { TimedPlant(rigid(lifter, State()), {}, kMillisecond); });
   EXPECT_EQ(reason.find("the plant's step is 0.001 s; it must be <= "), 0U) << reason;
-  EXPECT_NO_THROW(TimedPlant(Plant(lifter, State(), {}, false), {}, kMillisecond));
+  EXPECT_NO_THROW(TimedPlant(rigid(lifter, State(), false), {}, kMillisecond));
 }
 
 TEST(TimedPlant, EventsActExactlyAtTheirTime) {
@@ -185,7 +275,7 @@ TEST(TimedPlant, ADetachedPayloadFallsAndCanBePickedUpAgain) {
 }
 
 TEST(TimedPlant, WithoutGroundADetachedPayloadFallsOn) {
-  TimedPlant plant(Plant(test::pelican(), State(), {}, false), {}, kMillisecond);
+  TimedPlant plant(rigid(test::pelican(), State(), false), {}, kMillisecond);
   plant.schedule({0, AttachPayload{"box", test::box(0.5)}});
   plant.schedule({kMillisecond, DetachPayload{}});
   plant.advance(off(), 1001 * kMillisecond);
@@ -198,7 +288,7 @@ TEST(TimedPlant, RefusesToPickUpWhatIsOutOfReachAndSaysWhy) {
   State state;
   state.position.z() = 10.0;
   const std::vector<Cargo> cargo = {{"crate", test::box(0.5), {3.0, 0.0, 0.05}, {0.0, 0.0, 0.0}}};
-  TimedPlant plant(Plant(test::pelican(), state), cargo, kMillisecond);
+  TimedPlant plant(rigid(test::pelican(), state), cargo, kMillisecond);
   plant.schedule({5 * kMillisecond, AttachPayload{"crate", test::box(0.5)}});
   plant.advance(off(), 20 * kMillisecond);
   EXPECT_FALSE(plant.plant().payload().has_value());

@@ -1,10 +1,10 @@
-// The plant's motion over one step; plant.cpp has what happens between steps.
+// The rigid body's motion over one step; rigid_body.cpp has what happens between steps.
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_quadrotor_control/simulation/plant.h"
+#include "simulation/rigid_body.h"
 
-namespace aqc {
+namespace aqc::kernel {
 namespace {
 
 // Normalises a quaternion whose norm an integration step has moved a little: one step of Newton's
@@ -16,17 +16,17 @@ PlainQuaternion nearlyUnit(const PlainQuaternion& q) {
 
 }  // namespace
 
-inline Plant::Motion Plant::Motion::after(double time, const Motion& slope) const {
+inline Motion Motion::after(double time, const Motion& slope) const {
   return {position + time * slope.position, velocity + time * slope.velocity,
           attitude + time * slope.attitude, body_rate + time * slope.body_rate};
 }
 
-inline Plant::Motion Plant::Motion::operator+(const Motion& other) const {
+inline Motion Motion::operator+(const Motion& other) const {
   return {position + other.position, velocity + other.velocity, attitude + other.attitude,
           body_rate + other.body_rate};
 }
 
-[[gnu::always_inline]] inline Plant::RotorLoads Plant::rotorLoads(
+[[gnu::always_inline]] inline RigidBody::RotorLoads RigidBody::rotorLoads(
     const RotorArray& speeds) const noexcept {
   RotorLoads loads = {};
   loads.tilting = Plain3::from(disturbance_.moment).xy;
@@ -43,17 +43,30 @@ inline Plant::Motion Plant::Motion::operator+(const Motion& other) const {
   return loads;
 }
 
-void Plant::setDisturbance(const ForceMoment& disturbance) noexcept {
+void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
   disturbance_ = disturbance;
   steady_acceleration_ = inverse_mass_ * Plain3::from(disturbance.force);
   steady_acceleration_.zz -= kGravity;
   loads_ = rotorLoads(speeds_);
 }
 
-// Rotor drag -c_d |omega_i| v_i and rolling moment -c_r |omega_i| v_i act at every hub, where v_i
-// is the hub's velocity through the air across the rotor axis. Being linear in the motion, their
-// sum over the rotors needs only the sums in `rotors`.
-[[gnu::always_inline]] inline Plant::Motion Plant::derivative(
+// Newton and Euler for the whole of mass m and inertia J, with the centre of mass at p moving at v,
+// attitude q (R as a matrix), body rate w, and rotor i at r_i from the centre of mass:
+//
+//     p' = v
+//     v' = 1/m (R f + F + F_contact) - g e_z
+//     q' = 1/2 q (0, w)
+//     J w' = M - w x J w + M_disturbance + M_contact
+//
+//     v_i = P (R' (v - wind) + w x r_i)         velocity of the hub in the air, across the axis
+//     d_i = -c_d |omega_i| v_i                  rotor drag
+//     f = sum_i k_f omega_i^2 e_z + d_i         in B
+//     M = sum_i r_i x (k_f omega_i^2 e_z + d_i) - c_r |omega_i| v_i - dir_i k_m k_f omega_i^2 e_z
+//
+// where P = diag(1, 1, 0), and F, M_disturbance are the disturbance. Drag and rolling moment are
+// linear in the motion: their sums over the rotors need only the sums in `rotors`. The same plant
+// without shortcuts is Textbook in plant_reference_test.cpp.
+[[gnu::always_inline]] inline Motion RigidBody::derivative(
     const Motion& motion, const RotorLoads& rotors) const noexcept {
   const PlainRotation R(motion.attitude);  // of unit norm to rounding and RK4's order
   const Plain3& rate = motion.body_rate;
@@ -67,8 +80,7 @@ void Plant::setDisturbance(const ForceMoment& disturbance) noexcept {
   Plain3 acceleration =
       R.toWorld(-drag * inverse_mass_ * flow,
                 lift_per_square_ * rotors.sums[0] * R.axisZ() + steady_acceleration_);
-  Plain3 moment =
-      Plain3{rotors.tilting, first(rotors.about_z)} - cross(rate, plain_inertia_ * rate);
+  Plain3 moment = Plain3{rotors.tilting, first(rotors.about_z)} - cross(rate, inertia_ * rate);
   moment.xy -= vehicle_.rolling_moment_coefficient * flow;
   moment.xy -= drag * height * turned(flow);
   moment.zz -= drag * turning;
@@ -77,19 +89,18 @@ void Plant::setDisturbance(const ForceMoment& disturbance) noexcept {
     acceleration = acceleration + inverse_mass_ * Plain3::from(contact.force);
     moment = moment + Plain3::from(contact.moment);
   }
-  return {motion.velocity, acceleration, motion.attitude * (0.5 * rate),
-          plain_inverse_inertia_ * moment};
+  return {motion.velocity, acceleration, motion.attitude * (0.5 * rate), inverse_inertia_ * moment};
 }
 
-[[gnu::noinline, gnu::cold]] ForceMoment Plant::contactForce(Motion motion) const noexcept {
+[[gnu::noinline, gnu::cold]] ForceMoment RigidBody::contactForce(Motion motion) const noexcept {
   const State state = stateOf(motion);
   return contact_.force(state.position, state.attitude.toRotationMatrix(), state.velocity,
                         state.body_rate, centre_);
 }
 
 // Turns the rotors over a step; returns their speeds halfway.
-[[gnu::always_inline]] inline RotorArray Plant::turnRotors(const RotorArray& command,
-                                                           double dt) noexcept {
+[[gnu::always_inline]] inline RotorArray RigidBody::turnRotors(const RotorArray& command,
+                                                               double dt) noexcept {
   if (dt != step_) {  // a fixed step pays for the exponentials once
     step_ = dt;
     decay_[1] = std::exp(-0.5 * dt / vehicle_.time_constant_up);
@@ -106,7 +117,7 @@ void Plant::setDisturbance(const ForceMoment& disturbance) noexcept {
   return half;
 }
 
-void Plant::step(const RotorArray& command, double dt) noexcept {
+void RigidBody::step(const RotorArray& command, double dt) noexcept {
   const RotorArray speeds_half = turnRotors(command, dt);
   const RotorLoads loads_start = loads_;
   const RotorLoads loads_half = rotorLoads(speeds_half);
@@ -131,7 +142,7 @@ void Plant::step(const RotorArray& command, double dt) noexcept {
   if (near_contact_) judgeContact();
 }
 
-[[gnu::noinline, gnu::cold]] void Plant::judgeContact() noexcept {
+[[gnu::noinline, gnu::cold]] void RigidBody::judgeContact() noexcept {
   const State state = this->state();
   const Contact::Judgement judgement = contact_.judge(
       state.position, state.attitude.toRotationMatrix(), state.velocity, state.body_rate);
@@ -139,4 +150,4 @@ void Plant::step(const RotorArray& command, double dt) noexcept {
   if (crash_ == Crash::kNone) crash_ = judgement.crash;
 }
 
-}  // namespace aqc
+}  // namespace aqc::kernel

@@ -8,13 +8,10 @@
 #include "adaptive_quadrotor_control/model/force_moment.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/simulation/box.h"
+#include "adaptive_quadrotor_control/simulation/crash.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
 
 namespace aqc {
-
-/// Why a flight ended on the ground.
-enum class Crash { kNone, kHardImpact, kTiltedContact, kRotorStrike, kWallStrike };
-const char* toString(Crash crash);
 
 /// Contact of a vehicle and its payload with the flat ground z = 0 (unless there is none, as in a
 /// study of free flight that starts at z = 0) and with walls, at points: four

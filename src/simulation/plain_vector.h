@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace aqc {
+namespace aqc::kernel {
 
 /// x and y of a vector in one register (the vector extension of GCC and Clang); + - * / act element
 /// by element.
@@ -139,4 +139,4 @@ struct PlainRotation {
   }
 };
 
-}  // namespace aqc
+}  // namespace aqc::kernel

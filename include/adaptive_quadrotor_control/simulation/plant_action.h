@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <variant>
+
+#include "adaptive_quadrotor_control/math/time.h"
+#include "adaptive_quadrotor_control/model/force_moment.h"
+#include "adaptive_quadrotor_control/simulation/payload.h"
+
+namespace aqc {
+
+/// Picks up the cargo of that name, or, if there is none, lets the payload appear where it fits.
+struct AttachPayload {
+  std::string name;
+  Payload payload;
+};
+struct DetachPayload {};
+struct SetWind {
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< of the air in W [m/s]
+};
+/// Mass and inertia of the vehicle itself become others.
+struct SetBody {
+  double mass = 0.0;                                  ///< [kg], > 0
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about its centre of mass, in B [kg m^2]
+};
+/// A force and a moment that act for a while: constant, or a sine that begins with 0.
+struct ApplyDisturbance {
+  Nanoseconds duration = 0;
+  ForceMoment amplitude;           ///< at the centre of mass, force in W, moment in B
+  double angular_frequency = 0.0;  ///< of the sine [rad/s]; 0: constant
+};
+
+/// Something that happens to the plant. What depends on the kind asks by std::visit with one
+/// Overloaded branch for each, and no branch for "all others": a new kind does not compile until
+/// every place has decided about it (test/house/plant_action_test.py).
+using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody>;
+
+struct PlantEvent {
+  Nanoseconds time = 0;
+  PlantAction action;
+};
+
+/// Several functions as one, for std::visit.
+template <class... Branches>
+struct Overloaded : Branches... {
+  using Branches::operator()...;
+};
+template <class... Branches>
+Overloaded(Branches...) -> Overloaded<Branches...>;
+
+}  // namespace aqc

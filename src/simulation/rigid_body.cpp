@@ -1,0 +1,62 @@
+// The rigid body between steps; rigid_body_step.cpp has its motion over one.
+#include "simulation/rigid_body.h"
+
+#include <utility>
+
+namespace aqc::kernel {
+
+RigidBody::RigidBody(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
+    : vehicle_(vehicle),
+      contact_(vehicle, std::move(walls), ground),
+      speeds_(RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size()))) {}
+
+State RigidBody::stateOf(const Motion& motion) const noexcept {
+  const PlainRotation R(motion.attitude);
+  const Plain3 centre = Plain3::from(centre_);
+  State state;
+  state.position = (motion.position - R.toWorld(centre)).eigen();
+  state.velocity = (motion.velocity - R.toWorld(cross(motion.body_rate, centre))).eigen();
+  state.attitude = motion.attitude.eigen();
+  state.body_rate = motion.body_rate.eigen();
+  return state;
+}
+
+void RigidBody::setState(const State& state) noexcept {
+  motion_.attitude = PlainQuaternion::from(state.attitude);
+  motion_.body_rate = Plain3::from(state.body_rate);
+  const PlainRotation R(motion_.attitude);
+  const Plain3 centre = Plain3::from(centre_);
+  motion_.position = Plain3::from(state.position) + R.toWorld(centre);
+  motion_.velocity = Plain3::from(state.velocity) + R.toWorld(cross(motion_.body_rate, centre));
+}
+
+Eigen::Vector3d RigidBody::specificForce() const noexcept {
+  const Plain3 up = {Pair{0.0, 0.0}, both(kGravity)};
+  const Plain3 felt = PlainRotation(felt_.attitude).toBody(felt_.acceleration + up);
+  const Plain3& rate = felt_.body_rate;
+  const Plain3& centre = felt_.centre;
+  return (felt - cross(felt_.angular_acceleration, centre) - cross(rate, cross(rate, centre)))
+      .eigen();
+}
+
+void RigidBody::setMass(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& inertia,
+                        const Payload* payload) {
+  inverse_mass_ = 1.0 / mass;
+  centre_ = centre;
+  centre_distance_ = centre_.norm();
+  inertia_ = Plain33::from(inertia);
+  inverse_inertia_ = Plain33::from(inertia.inverse());
+  for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
+    const Rotor& rotor = vehicle_.rotors[i];
+    const Eigen::Vector2d arm = rotor.position() - centre_.head<2>();
+    const double yaw = -rotor.direction * vehicle_.moment_constant;
+    hubs_[i].arm = turned(Pair{arm.x(), arm.y()});
+    hubs_[i].tilting = -vehicle_.force_constant * hubs_[i].arm;
+    hubs_[i].about_z = Pair{vehicle_.force_constant * yaw, arm.squaredNorm()};
+  }
+  lift_per_square_ = inverse_mass_ * vehicle_.force_constant;
+  contact_.setPayload(payload);
+  setDisturbance(disturbance_);
+}
+
+}  // namespace aqc::kernel

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "adaptive_quadrotor_control/model/force_moment.h"
+#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/model/vehicle.h"
+#include "adaptive_quadrotor_control/simulation/crash.h"
+#include "simulation/contact.h"
+#include "simulation/plain_vector.h"
+
+namespace aqc::kernel {
+
+/// What RK4 integrates: motion of the centre of mass, or its change with time. The state of B
+/// follows from it and is made only when asked for.
+struct Motion {
+  Plain3 position;
+  Plain3 velocity;
+  PlainQuaternion attitude;
+  Plain3 body_rate;
+
+  Motion after(double time, const Motion& slope) const;
+  Motion operator+(const Motion& other) const;
+};
+
+/// All that a step of RigidPlant reads and writes: rotors, motion of the whole, contact.
+class RigidBody {
+ public:
+  RigidBody(const Vehicle& vehicle, std::vector<Box> walls, bool ground);
+
+  /// As Plant::step().
+  void step(const RotorArray& command, double dt) noexcept;
+
+  /// Mass, centre of mass in B and inertia about it of the whole, of which `payload` (may be null)
+  /// is a part; leaves the motion of the centre of mass as it is. To be called before all others.
+  void setMass(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& inertia,
+               const Payload* payload);
+  void setState(const State& state) noexcept;
+  void setWind(const Eigen::Vector3d& velocity) noexcept { wind_ = Plain3::from(velocity); }
+  void setDisturbance(const ForceMoment& disturbance) noexcept;
+
+  State state() const noexcept { return stateOf(motion_); }
+  const Motion& motion() const noexcept { return motion_; }
+  const RotorArray& rotorSpeeds() const noexcept { return speeds_; }
+  Eigen::Vector3d specificForce() const noexcept;
+  const Contact& contact() const noexcept { return contact_; }
+  bool touching() const noexcept { return touching_; }
+  Crash crash() const noexcept { return crash_; }
+
+ private:
+  // A rotor's part in RotorLoads.
+  struct Hub {
+    Pair arm;      // e_z x r_i, where r_i is from the centre of mass, in B [m]
+    Pair tilting;  // roll and pitch moment / omega_i^2
+    Pair about_z;  // yaw moment / omega_i^2 and |r_i|^2
+  };
+  // Everything that does not depend on the motion, at one instant.
+  struct RotorLoads {
+    Pair sums;     // sum omega_i^2 and sum |omega_i|
+    Pair arm;      // sum |omega_i| e_z x r_i
+    Pair tilting;  // roll and pitch moment of the thrusts and the disturbance about the centre
+    Pair about_z;  // their yaw moment and sum |omega_i| |r_i|^2
+  };
+  // What an accelerometer feels at one instant.
+  struct Felt {
+    PlainQuaternion attitude;
+    Plain3 body_rate;
+    Plain3 acceleration;  // of the centre of mass
+    Plain3 angular_acceleration;
+    Plain3 centre;
+  };
+
+  State stateOf(const Motion& motion) const noexcept;
+  RotorArray turnRotors(const RotorArray& command, double dt) noexcept;
+  RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
+  ForceMoment contactForce(Motion motion) const noexcept;
+  Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
+  void judgeContact() noexcept;
+
+  Vehicle vehicle_;  // but not its mass and inertia, which are those of the whole
+  Contact contact_;
+  double inverse_mass_ = 0.0;
+  double lift_per_square_ = 0.0;                      // acceleration by thrust / omega_i^2 [m]
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // of mass, in B [m]
+  double centre_distance_ = 0.0;                      // from the origin of B [m]
+  Plain33 inertia_ = {};
+  Plain33 inverse_inertia_ = {};
+  std::array<Hub, kMaxRotors> hubs_ = {};
+
+  Motion motion_ = {};
+  // At the start of the last step; before the first one it falls freely.
+  Felt felt_ = {{}, {}, {Pair{0.0, 0.0}, both(-kGravity)}, {}, {}};
+  RotorArray speeds_;
+  RotorLoads loads_ = {};  // of speeds_
+  Plain3 wind_ = {};
+  ForceMoment disturbance_;
+  Plain3 steady_acceleration_ = {};  // gravity's and the disturbance's
+  bool near_contact_ = true;
+  bool touching_ = false;
+  Crash crash_ = Crash::kNone;
+  double step_ = 0.0;                         // of the decay factors [s]
+  std::array<double, 2> decay_ = {1.0, 1.0};  // exp(-dt / (2 tau)), down and up
+};
+
+}  // namespace aqc::kernel
