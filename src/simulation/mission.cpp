@@ -11,12 +11,12 @@
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/reference/time_allocation.h"
+#include "adaptive_quadrotor_control/simulation/plant_action_reader.h"
 
 namespace aqc {
 namespace {
 
 const Range kTime = Range::between(0.0, 1e6);
-const Range kFrequency = Range::between(0.0, 1e3);
 const Range kYaw = Range::between(-3600.0, 3600.0);  // [deg]
 
 std::string print(Nanoseconds time) {
@@ -161,7 +161,7 @@ class MissionBuilder {
     }
     const Eigen::Vector3d middle = entry.vector3("position", Range::any());
     const Eigen::Vector3d amplitude = entry.vector3("amplitude", Range::any());
-    const double frequency = entry.number("angular_frequency", kFrequency);
+    const double frequency = entry.number("angular_frequency", kAngularFrequency);
     SetPoint point;
     point.yaw = entry.angle("yaw_deg", kYaw, present_.yaw);
     for (Nanoseconds time = start; time < end; time += period_) {
@@ -181,6 +181,13 @@ class MissionBuilder {
 
   void hold(const ParameterReader& entry) { leg_end_ += fromSeconds(entry.number("for", kTime)); }
 
+  void plan(Nanoseconds time, PlantAction action) {
+    PlantEvent event;
+    event.time = time;
+    event.action = std::move(action);
+    mission_.events.push_back(std::move(event));
+  }
+
   void attach(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
     const std::string name = entry.text("payload");
@@ -192,36 +199,29 @@ class MissionBuilder {
       entry.refuseValue("payload", "attached after the one that is already attached is detached");
     }
     attached_ = true;
-    mission_.events.push_back({time, AttachPayload{name, payload->second}});
+    plan(time, AttachPayload{name, payload->second});
   }
 
   void detach(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
     if (!attached_) entry.refuse("at", "detaches nothing: no payload is attached then");
     attached_ = false;
-    mission_.events.push_back({time, DetachPayload{}});
+    plan(time, DetachPayload{});
   }
 
   void wind(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
-    mission_.events.push_back({time, SetWind{entry.vector3("velocity", Range::any())}});
+    plan(time, readWind(entry));
   }
 
   void body(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
-    const double mass = entry.number("mass", Range::positive());
-    mission_.events.push_back({time, SetBody{mass, entry.positiveDefinite("inertia")}});
+    plan(time, readBody(entry));
   }
 
   void disturbance(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
-    ApplyDisturbance disturbance;
-    disturbance.duration = readEnd(entry, time) - time;
-    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
-    disturbance.amplitude.force = entry.vector3("force", Range::any(), none);
-    disturbance.amplitude.moment = entry.vector3("moment", Range::any(), none);
-    disturbance.angular_frequency = entry.number("angular_frequency", kFrequency, 0.0);
-    mission_.events.push_back({time, disturbance});
+    plan(time, readDisturbance(entry, readEnd(entry, time) - time));
   }
 
   void change(const ParameterReader& entry) {

@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "adaptive_quadrotor_control/AttachPayload.h"
-#include "adaptive_quadrotor_control/DetachPayload.h"
-#include "adaptive_quadrotor_control/SetWind.h"
 #include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "ros/border/parameter_tree.h"
+#include "ros/border/plant_services.h"
 #include "ros/border/run_node.h"
+#include "ros/border/service_call.h"
 #include "ros/display/goal_marker.h"
 
 namespace aqc {
@@ -24,6 +23,7 @@ constexpr Nanoseconds kSetPointPeriod = 20'000'000;  // of take-off and landing
 constexpr double kGustLasts = 2.0;                   // [s]
 constexpr double kBoxEdge = 0.12;                    // of a payload from the menu [m]
 constexpr double kBoxBelow = 0.18;                   // its centre, under the vehicle [m]
+constexpr double kPatience = 0.5;                    // for the plant to show up [s], wall
 constexpr double kSlack = 0.03;                      // aimed below the ground to settle [m]
 constexpr const char* kFrames[] = {"", kWorldFrame, "/world"};  // that need no transform
 
@@ -119,38 +119,39 @@ void GoalNode::command(const geometry_msgs::Pose& pose) {
 }
 
 template <class Service>
-bool GoalNode::call(const std::string& name, Service& service) {
-  const std::string full = node_.resolveName("plant/" + name);
-  if (!ros::service::call(full, service)) {
-    ROS_WARN("service '%s' does not answer; is there a simulated vehicle?", full.c_str());
+bool GoalNode::callPlant(const std::string& name, Service& service) {
+  try {
+    callService(node_, "plant/" + name, ros::WallDuration(kPatience), service);
+    return true;
+  } catch (const std::runtime_error& error) {
+    ROS_WARN("%s", error.what());
     return false;
   }
-  if (!service.response.success) {
-    ROS_WARN("%s refused: %s", name.c_str(), service.response.message.c_str());
-  }
-  return service.response.success;
+}
+
+template <class Action>
+bool GoalNode::order(const Action& action, const ros::Time& at) {
+  typename PlantService<Action>::Type service;
+  service.request = toRequest(action, at);
+  return callPlant(PlantService<Action>::kName, service);
 }
 
 void GoalNode::attach(double mass) {
-  msgs::AttachPayload service;
-  service.request.mass = mass;
-  service.request.size = toVector3(Eigen::Vector3d::Constant(kBoxEdge));
-  service.request.offset = toVector3({0.0, 0.0, -kBoxBelow});
-  call("attach_payload", service);
+  AttachPayload box;
+  box.payload.mass = mass;
+  box.payload.size.setConstant(kBoxEdge);
+  box.payload.offset = {0.0, 0.0, -kBoxBelow};
+  box.payload.inertia = boxInertia(mass, box.payload.size);
+  order(box);
 }
 
 void GoalNode::drop() {
-  msgs::DetachPayload service;
-  call("detach_payload", service);
+  order(DetachPayload{});
 }
 
 void GoalNode::gust() {
-  msgs::SetWind blow;
-  blow.request.velocity = toVector3({0.0, gust_, 0.0});
-  if (!call("set_wind", blow)) return;
-  msgs::SetWind calm;
-  calm.request.at = ros::Time::now() + ros::Duration(kGustLasts);
-  call("set_wind", calm);
+  if (!order(SetWind{{0.0, gust_, 0.0}})) return;
+  order(SetWind{}, ros::Time::now() + ros::Duration(kGustLasts));
 }
 
 void GoalNode::climbTo(double height) {
@@ -187,7 +188,7 @@ void GoalNode::land() {
 
 void GoalNode::reset() {
   std_srvs::Trigger service;
-  if (!call("reset", service) || !start_) return;
+  if (!callPlant("reset", service) || !start_) return;
   geometry_msgs::Pose pose;
   pose.position = toPoint(start_->position);
   pose.orientation = toQuaternion(start_->attitude);

@@ -48,7 +48,9 @@ class GoalNode {
   void command(const geometry_msgs::Pose& pose);
   void climbTo(double height);
   template <class Service>
-  bool call(const std::string& name, Service& service);
+  bool callPlant(const std::string& name, Service& service);
+  template <class Action>
+  bool order(const Action& action, const ros::Time& at = {});
 
   ros::NodeHandle node_;
   Vehicle vehicle_;

@@ -8,13 +8,10 @@
 #include <stdexcept>
 
 #include "adaptive_quadrotor_control/ActiveSubsystem.h"
-#include "adaptive_quadrotor_control/ApplyDisturbance.h"
-#include "adaptive_quadrotor_control/AttachPayload.h"
-#include "adaptive_quadrotor_control/DetachPayload.h"
-#include "adaptive_quadrotor_control/SetBody.h"
-#include "adaptive_quadrotor_control/SetWind.h"
 #include "report/progress_bar.h"
 #include "ros/border/parameter_tree.h"
+#include "ros/border/plant_services.h"
+#include "ros/border/service_call.h"
 
 namespace aqc {
 namespace {
@@ -105,61 +102,27 @@ void MissionNode::noteRefusals() {
                                      toNanoseconds(state_->next_switch_allowed), now, begin_)});
 }
 
-template <class Service>
-void MissionNode::call(const std::string& name, Service& service) {
-  if (!ros::service::call(node_.resolveName(name), service)) {
-    throw std::runtime_error("service '" + node_.resolveName(name) + "' does not answer");
-  }
-  if (!service.response.success) {
-    throw std::runtime_error("service '" + node_.resolveName(name) +
-                             "' refused: " + service.response.message);
-  }
-}
-
 void MissionNode::sendEvents() {
-  for (const PlantEvent& event : scenario_.mission.events) send(event);
+  for (const PlantEvent& event : scenario_.mission.events) {
+    const ros::Time at = toRosTime(begin_ + event.time);
+    const auto send = [&](const auto& action) {
+      using Kind = PlantService<std::decay_t<decltype(action)>>;
+      typename Kind::Type service;
+      service.request = toRequest(action, at);
+      callPlant(Kind::kName, service);
+    };
+    std::visit(send, event.action);
+  }
 }
 
-void MissionNode::send(const PlantEvent& event) {
-  const ros::Time at = toRosTime(begin_ + event.time);
-  if (const auto* attach = std::get_if<AttachPayload>(&event.action)) {
-    msgs::AttachPayload service;
-    service.request.at = at;
-    service.request.name = attach->name;
-    service.request.mass = attach->payload.mass;
-    service.request.size = toVector3(attach->payload.size);
-    service.request.offset = toVector3(attach->payload.offset);
-    service.request.inertia = toVector3(attach->payload.inertia.diagonal());
-    call("plant/attach_payload", service);
-  } else if (const auto* wind = std::get_if<SetWind>(&event.action)) {
-    msgs::SetWind service;
-    service.request.at = at;
-    service.request.velocity = toVector3(wind->velocity);
-    call("plant/set_wind", service);
-  } else if (const auto* body = std::get_if<SetBody>(&event.action)) {
-    msgs::SetBody service;
-    service.request.at = at;
-    service.request.mass = body->mass;
-    service.request.inertia = toVector3(body->inertia.diagonal());
-    call("plant/set_body", service);
-  } else if (const auto* disturbance = std::get_if<ApplyDisturbance>(&event.action)) {
-    msgs::ApplyDisturbance service;
-    service.request.at = at;
-    service.request.for_so_long.fromNSec(disturbance->duration);
-    service.request.force = toVector3(disturbance->amplitude.force);
-    service.request.moment = toVector3(disturbance->amplitude.moment);
-    service.request.angular_frequency = disturbance->angular_frequency;
-    call("plant/apply_disturbance", service);
-  } else {
-    msgs::DetachPayload service;
-    service.request.at = at;
-    call("plant/detach_payload", service);
-  }
+template <class Service>
+void MissionNode::callPlant(const std::string& name, Service& service) {
+  callService(node_, "plant/" + name, ros::WallDuration(kPatience), service);
 }
 
 void MissionNode::resume() {
   std_srvs::Trigger service;
-  call("plant/resume", service);
+  callPlant("resume", service);
 }
 
 FlightLog MissionNode::fly() {

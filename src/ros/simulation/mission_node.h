@@ -40,12 +40,11 @@ class MissionNode {
   void sendSetPoints();
   void sendSwitches();
   void sendEvents();
-  void send(const PlantEvent& event);
   void noteRefusals();
   void resume();
   FlightLog takeLog(double wall_seconds);
   template <class Service>
-  void call(const std::string& name, Service& service);
+  void callPlant(const std::string& name, Service& service);
 
   ros::NodeHandle node_;
   Vehicle vehicle_;

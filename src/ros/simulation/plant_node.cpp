@@ -54,11 +54,11 @@ PlantNode::PlantNode()
 
   command_subscriber_ = node_.subscribe("command/motor_speed", 100, &PlantNode::onCommand, this,
                                         ros::TransportHints().tcpNoDelay());
-  services_ = {private_node_.advertiseService("attach_payload", &PlantNode::onAttach, this),
-               private_node_.advertiseService("detach_payload", &PlantNode::onDetach, this),
-               private_node_.advertiseService("set_wind", &PlantNode::onWind, this),
-               private_node_.advertiseService("set_body", &PlantNode::onBody, this),
-               private_node_.advertiseService("apply_disturbance", &PlantNode::onDisturbance, this),
+  services_ = {serve<AttachPayload>(),
+               serve<DetachPayload>(),
+               serve<SetWind>(),
+               serve<SetBody>(),
+               serve<ApplyDisturbance>(),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
   const double period = toSeconds(world_.control_period) / real_time_factor_;
@@ -182,74 +182,36 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   status_publisher_.publish(status);
 }
 
-template <class Response>
-bool PlantNode::plan(const ros::Time& at, PlantAction action, Response& response) {
-  try {
-    plant_->schedule({std::max(toNanoseconds(at), plant_->now()), std::move(action)});
-    response.success = true;
-    return true;
-  } catch (const std::logic_error& error) {
-    return refuse(response, error.what());
-  }
+template <class Action>
+ros::ServiceServer PlantNode::serve() {
+  using Service = typename PlantService<Action>::Type;
+  const boost::function<bool(typename Service::Request&, typename Service::Response&)> answer =
+      [this](const auto& request, auto& response) {
+        try {
+          const Nanoseconds time = std::max(toNanoseconds(request.at), plant_->now());
+          plant_->schedule({time, requested(request)});
+          response.success = true;
+          return true;
+        } catch (const std::exception& error) {
+          return refuse(response, error.what());
+        }
+      };
+  return private_node_.advertiseService(PlantService<Action>::kName, answer);
 }
 
-bool PlantNode::onAttach(msgs::AttachPayload::Request& request,
-                         msgs::AttachPayload::Response& response) {
-  // The same checks, with the same words, as for a payload in a scenario file.
-  YAML::Node tree;
-  tree["mass"] = request.mass;
-  const auto list = [](const geometry_msgs::Vector3& v) {
-    return std::vector<double>{v.x, v.y, v.z};
-  };
-  tree["size"] = list(request.size);
-  tree["offset"] = list(request.offset);
-  if (!toEigen(request.inertia).isZero(0.0)) tree["inertia"] = list(request.inertia);
-  try {
-    AttachPayload attach{request.name, {}};
-    if (!plant_->knows(request.name))
-      attach.payload = readPayload(ParameterReader(tree, "payload"));
-    const bool now = toNanoseconds(request.at) <= plant_->now();
-    const std::string obstacle = now ? plant_->obstacle(attach) : "";
-    return obstacle.empty() ? plan(request.at, attach, response) : refuse(response, obstacle);
-  } catch (const ParameterError& error) {
-    return refuse(response, error.what());
-  }
+AttachPayload PlantNode::requested(const msgs::AttachPayload::Request& request) const {
+  // Of a payload that lies there the name is enough.
+  const bool known = plant_->knows(request.name);
+  AttachPayload attach = known ? AttachPayload{request.name, {}} : toAction(request);
+  const bool now = toNanoseconds(request.at) <= plant_->now();
+  const std::string obstacle = now ? plant_->obstacle(attach) : "";
+  if (!obstacle.empty()) throw std::logic_error(obstacle);
+  return attach;
 }
 
-bool PlantNode::onDetach(msgs::DetachPayload::Request& request,
-                         msgs::DetachPayload::Response& response) {
-  return plan(request.at, DetachPayload{}, response);
-}
-
-bool PlantNode::onWind(msgs::SetWind::Request& request, msgs::SetWind::Response& response) {
-  const Eigen::Vector3d velocity = toEigen(request.velocity);
-  if (velocity.allFinite()) return plan(request.at, SetWind{velocity}, response);
-  return refuse(response, "the wind has a number that is not finite");
-}
-
-bool PlantNode::onBody(msgs::SetBody::Request& request, msgs::SetBody::Response& response) {
-  const Eigen::Vector3d inertia = toEigen(request.inertia);
-  const bool positive = request.mass > 0.0 && inertia.minCoeff() > 0.0;
-  if (positive && std::isfinite(request.mass) && inertia.allFinite()) {
-    return plan(request.at, SetBody{request.mass, inertia.asDiagonal()}, response);
-  }
-  return refuse(response, "mass and inertia must be finite and > 0");
-}
-
-bool PlantNode::onDisturbance(msgs::ApplyDisturbance::Request& request,
-                              msgs::ApplyDisturbance::Response& response) {
-  const ApplyDisturbance disturbance{request.for_so_long.toNSec(),
-                                     {toEigen(request.force), toEigen(request.moment)},
-                                     request.angular_frequency};
-  const bool finite = disturbance.amplitude.force.allFinite() &&
-                      disturbance.amplitude.moment.allFinite() &&
-                      std::isfinite(disturbance.angular_frequency);
-  if (finite && disturbance.duration > 0 && disturbance.angular_frequency >= 0.0) {
-    return plan(request.at, disturbance, response);
-  }
-  return refuse(
-      response,
-      "force, moment and frequency must be finite, the frequency >= 0 and the duration > 0");
+template <class Request>
+auto PlantNode::requested(const Request& request) const {
+  return toAction(request);
 }
 
 bool PlantNode::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {

@@ -7,14 +7,10 @@
 #include <memory>
 
 #include "adaptive_quadrotor_control/Actuators.h"
-#include "adaptive_quadrotor_control/ApplyDisturbance.h"
-#include "adaptive_quadrotor_control/AttachPayload.h"
-#include "adaptive_quadrotor_control/DetachPayload.h"
-#include "adaptive_quadrotor_control/SetBody.h"
-#include "adaptive_quadrotor_control/SetWind.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 #include "ros/border/conversions.h"
+#include "ros/border/plant_services.h"
 
 namespace aqc {
 
@@ -38,12 +34,6 @@ class PlantNode {
  private:
   void onCommand(const msgs::Actuators::ConstPtr& message);
   void onWallTimer(const ros::WallTimerEvent& event);
-  bool onAttach(msgs::AttachPayload::Request& request, msgs::AttachPayload::Response& response);
-  bool onDetach(msgs::DetachPayload::Request& request, msgs::DetachPayload::Response& response);
-  bool onWind(msgs::SetWind::Request& request, msgs::SetWind::Response& response);
-  bool onBody(msgs::SetBody::Request& request, msgs::SetBody::Response& response);
-  bool onDisturbance(msgs::ApplyDisturbance::Request& request,
-                     msgs::ApplyDisturbance::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onResume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
@@ -52,8 +42,13 @@ class PlantNode {
   void publish();
   void publishTransforms(const ros::Time& stamp);
   void publishTruth(const ros::Time& stamp);
-  template <class Response>
-  bool plan(const ros::Time& at, PlantAction action, Response& response);
+  // The service that plans what happens to the plant.
+  template <class Action>
+  ros::ServiceServer serve();
+  // The action that a request asks for; throws with the reason when it may not be.
+  AttachPayload requested(const msgs::AttachPayload::Request& request) const;
+  template <class Request>
+  auto requested(const Request& request) const;
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};

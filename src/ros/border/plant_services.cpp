@@ -1,0 +1,123 @@
+#include "ros/border/plant_services.h"
+
+#include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "adaptive_quadrotor_control/simulation/plant_action_reader.h"
+
+namespace aqc {
+namespace {
+
+// The tree of a request, of which the readers of scenario files make an action. Numbers are texts
+// of 17 digits there, which tell every double from the next: YAML::Node may round them.
+YAML::Node toYaml(double number) {
+  return YAML::Node(formatted("%.17g", number));
+}
+
+YAML::Node toYaml(const geometry_msgs::Vector3& vector) {
+  YAML::Node list;
+  for (const double number : {vector.x, vector.y, vector.z}) list.push_back(toYaml(number));
+  return list;
+}
+
+bool isZero(const geometry_msgs::Vector3& vector) {
+  return toEigen(vector).isZero(0.0);
+}
+
+// The entries of an inertia as both requests that have one carry them.
+template <class Request>
+void setInertia(const Eigen::Matrix3d& inertia, Request& request) {
+  request.inertia = toVector3(inertia.diagonal());
+  request.products = toVector3({inertia(0, 1), inertia(0, 2), inertia(1, 2)});
+}
+
+template <class Request>
+YAML::Node inertiaOf(const Request& request) {
+  YAML::Node list = toYaml(request.inertia);
+  if (isZero(request.products)) return list;
+  for (const YAML::Node& number : toYaml(request.products)) list.push_back(number);
+  return list;
+}
+
+}  // namespace
+
+msgs::AttachPayload::Request toRequest(const AttachPayload& action, const ros::Time& at) {
+  msgs::AttachPayload::Request request;
+  request.at = at;
+  request.name = action.name;
+  request.mass = action.payload.mass;
+  request.size = toVector3(action.payload.size);
+  request.offset = toVector3(action.payload.offset);
+  setInertia(action.payload.inertia, request);
+  return request;
+}
+
+AttachPayload toAction(const msgs::AttachPayload::Request& request) {
+  YAML::Node tree;
+  tree["mass"] = toYaml(request.mass);
+  tree["size"] = toYaml(request.size);
+  tree["offset"] = toYaml(request.offset);
+  const bool solid_box = isZero(request.inertia) && isZero(request.products);
+  if (!solid_box) tree["inertia"] = inertiaOf(request);
+  return {request.name, readPayload(ParameterReader(tree, "payload"))};
+}
+
+msgs::DetachPayload::Request toRequest(const DetachPayload&, const ros::Time& at) {
+  msgs::DetachPayload::Request request;
+  request.at = at;
+  return request;
+}
+
+DetachPayload toAction(const msgs::DetachPayload::Request&) {
+  return {};
+}
+
+msgs::SetWind::Request toRequest(const SetWind& action, const ros::Time& at) {
+  msgs::SetWind::Request request;
+  request.at = at;
+  request.velocity = toVector3(action.velocity);
+  return request;
+}
+
+SetWind toAction(const msgs::SetWind::Request& request) {
+  YAML::Node tree;
+  tree["velocity"] = toYaml(request.velocity);
+  return readWind(ParameterReader(tree, "wind"));
+}
+
+msgs::SetBody::Request toRequest(const SetBody& action, const ros::Time& at) {
+  msgs::SetBody::Request request;
+  request.at = at;
+  request.mass = action.mass;
+  setInertia(action.inertia, request);
+  return request;
+}
+
+SetBody toAction(const msgs::SetBody::Request& request) {
+  YAML::Node tree;
+  tree["mass"] = toYaml(request.mass);
+  tree["inertia"] = inertiaOf(request);
+  return readBody(ParameterReader(tree, "body"));
+}
+
+msgs::ApplyDisturbance::Request toRequest(const ApplyDisturbance& action, const ros::Time& at) {
+  msgs::ApplyDisturbance::Request request;
+  request.at = at;
+  request.for_so_long.fromNSec(action.duration);
+  request.force = toVector3(action.amplitude.force);
+  request.moment = toVector3(action.amplitude.moment);
+  request.angular_frequency = action.angular_frequency;
+  return request;
+}
+
+ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request) {
+  YAML::Node tree;
+  tree["for_so_long"] = toYaml(request.for_so_long.toSec());
+  tree["force"] = toYaml(request.force);
+  tree["moment"] = toYaml(request.moment);
+  tree["angular_frequency"] = toYaml(request.angular_frequency);
+  const ParameterReader reader(tree, "disturbance");
+  reader.number("for_so_long", Range::positive());  // taken as it came: seconds may round it
+  return readDisturbance(reader, request.for_so_long.toNSec());
+}
+
+}  // namespace aqc

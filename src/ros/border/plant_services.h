@@ -1,0 +1,61 @@
+#pragma once
+
+#include <ros/time.h>
+
+#include "adaptive_quadrotor_control/ApplyDisturbance.h"
+#include "adaptive_quadrotor_control/AttachPayload.h"
+#include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/SetBody.h"
+#include "adaptive_quadrotor_control/SetWind.h"
+#include "adaptive_quadrotor_control/simulation/plant_action.h"
+#include "ros/border/conversions.h"
+
+// What may happen to the plant, as the services of plant_node ask for it.
+
+namespace aqc {
+
+/// The service for one kind of PlantAction: its type, and its name below the plant. Declared for
+/// every kind and for no other, so that a new kind does not compile before it has a service.
+template <class Action>
+struct PlantService;
+template <>
+struct PlantService<AttachPayload> {
+  using Type = msgs::AttachPayload;
+  static constexpr const char* kName = "attach_payload";
+};
+template <>
+struct PlantService<DetachPayload> {
+  using Type = msgs::DetachPayload;
+  static constexpr const char* kName = "detach_payload";
+};
+template <>
+struct PlantService<SetWind> {
+  using Type = msgs::SetWind;
+  static constexpr const char* kName = "set_wind";
+};
+template <>
+struct PlantService<SetBody> {
+  using Type = msgs::SetBody;
+  static constexpr const char* kName = "set_body";
+};
+template <>
+struct PlantService<ApplyDisturbance> {
+  using Type = msgs::ApplyDisturbance;
+  static constexpr const char* kName = "apply_disturbance";
+};
+
+/// The request for an action at a ROS time (zero: now), and the action that a request asks for:
+/// one from the other without a bit lost. What a scenario file may not ask for, toAction() refuses
+/// in the same words: it throws ParameterError.
+msgs::AttachPayload::Request toRequest(const AttachPayload& action, const ros::Time& at);
+AttachPayload toAction(const msgs::AttachPayload::Request& request);
+msgs::DetachPayload::Request toRequest(const DetachPayload& action, const ros::Time& at);
+DetachPayload toAction(const msgs::DetachPayload::Request& request);
+msgs::SetWind::Request toRequest(const SetWind& action, const ros::Time& at);
+SetWind toAction(const msgs::SetWind::Request& request);
+msgs::SetBody::Request toRequest(const SetBody& action, const ros::Time& at);
+SetBody toAction(const msgs::SetBody::Request& request);
+msgs::ApplyDisturbance::Request toRequest(const ApplyDisturbance& action, const ros::Time& at);
+ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request);
+
+}  // namespace aqc

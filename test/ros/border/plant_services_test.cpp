@@ -1,0 +1,160 @@
+#include "ros/border/plant_services.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "support/refusal.h"
+
+namespace aqc {
+namespace {
+
+constexpr int kTrials = 300;
+const ros::Time kAt(12, 345);
+
+class PlantServices : public testing::Test {
+ protected:
+  double number(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  // Of any size, from 1e-6 to 1e3.
+  double positive() { return std::pow(10.0, number(-6.0, 3.0)); }
+  Eigen::Vector3d vector(double limit) {
+    return {number(-limit, limit), number(-limit, limit), number(-limit, limit)};
+  }
+  // Symmetric positive definite, all entries other than zero.
+  Eigen::Matrix3d inertia() {
+    Eigen::Matrix3d root;
+    root << vector(1.0), vector(1.0), vector(1.0);
+    Eigen::Matrix3d matrix = positive() * (root * root.transpose());
+    matrix.diagonal() *= 1.1;  // away from the edge
+    return matrix.selfadjointView<Eigen::Lower>();
+  }
+
+ private:
+  std::mt19937 random_{7};
+};
+
+// What is left of an action after its way through a request.
+template <class Action>
+Action sent(const Action& action) {
+  const auto request = toRequest(action, kAt);
+  EXPECT_EQ(request.at, kAt);
+  return toAction(request);
+}
+
+TEST_F(PlantServices, CarryAPayloadWithItsWholeInertia) {
+  for (int i = 0; i < kTrials; ++i) {
+    AttachPayload attach{"box " + std::to_string(i), {}};
+    attach.payload.mass = positive();
+    attach.payload.size = {positive(), positive(), positive()};
+    attach.payload.offset = vector(10.0);
+    attach.payload.inertia = inertia();
+    const AttachPayload heard = sent(attach);
+    EXPECT_EQ(heard.name, attach.name);
+    EXPECT_EQ(heard.payload.mass, attach.payload.mass);
+    EXPECT_EQ(heard.payload.size, attach.payload.size);
+    EXPECT_EQ(heard.payload.offset, attach.payload.offset);
+    EXPECT_EQ(heard.payload.inertia, attach.payload.inertia);
+  }
+}
+
+TEST_F(PlantServices, CarryABodyWithItsWholeInertia) {
+  for (int i = 0; i < kTrials; ++i) {
+    const SetBody body{positive(), inertia()};
+    const SetBody heard = sent(body);
+    EXPECT_EQ(heard.mass, body.mass);
+    EXPECT_EQ(heard.inertia, body.inertia);
+  }
+  const Eigen::Matrix3d diagonal = Eigen::Vector3d(0.01, 0.02, 0.03).asDiagonal();
+  EXPECT_EQ(sent(SetBody{1.0, diagonal}).inertia, diagonal);
+}
+
+TEST_F(PlantServices, CarryWindAndDisturbance) {
+  for (int i = 0; i < kTrials; ++i) {
+    const SetWind wind{vector(30.0)};
+    EXPECT_EQ(sent(wind).velocity, wind.velocity);
+    // Up to 11 days to the nanosecond, which seconds in a double would not hold for long.
+    const auto duration = static_cast<Nanoseconds>(number(1.0, 1e15));
+    const ApplyDisturbance disturbance{duration, {vector(9.0), vector(9.0)}, number(0.0, 1e3)};
+    const ApplyDisturbance heard = sent(disturbance);
+    EXPECT_EQ(heard.duration, duration);
+    EXPECT_EQ(heard.amplitude.force, disturbance.amplitude.force);
+    EXPECT_EQ(heard.amplitude.moment, disturbance.amplitude.moment);
+    EXPECT_EQ(heard.angular_frequency, disturbance.angular_frequency);
+  }
+  EXPECT_EQ(toRequest(DetachPayload{}, kAt).at, kAt);
+}
+
+msgs::AttachPayload::Request box() {
+  msgs::AttachPayload::Request request;
+  request.mass = 1.2;
+  request.size = toVector3({0.1, 0.2, 0.3});
+  return request;
+}
+
+TEST(PlantServiceRefusals, APayloadWithoutInertiaIsASolidBox) {
+  EXPECT_EQ(toAction(box()).payload.inertia, boxInertia(1.2, {0.1, 0.2, 0.3}));
+}
+
+TEST(PlantServiceRefusals, NameWhatIsWrongWithAPayload) {
+  const auto refusal = [](const msgs::AttachPayload::Request& request) {
+    return test::refusal<ParameterError>([&] { toAction(request); });
+  };
+  msgs::AttachPayload::Request request = box();
+  request.mass = -1.0;
+  EXPECT_EQ(refusal(request), "parameter 'payload/mass' is '-1'; it must be a finite number > 0");
+  request = box();
+  request.size.y = 0.0;
+  EXPECT_EQ(refusal(request), "parameter 'payload/size[1]' is '0'; it must be a finite number > 0");
+  request = box();
+  request.offset.z = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refusal(request),
+            "parameter 'payload/offset[2]' is 'nan'; it must be a finite number >= -10 and <= 10");
+  request = box();
+  request.products.x = 0.5;  // products alone are no inertia
+  EXPECT_EQ(refusal(request),
+            "parameter 'payload/inertia' is [0, 0, 0, 0.5, 0, 0], whose smallest eigenvalue is "
+            "-0.5; it must be positive definite (every eigenvalue > 0)");
+}
+
+TEST(PlantServiceRefusals, NameWhatIsWrongWithABody) {
+  const auto refusal = [](double mass, const Eigen::Vector3d& products) {
+    msgs::SetBody::Request request;
+    request.mass = mass;
+    request.inertia = toVector3({1.0, 1.0, 1.0});
+    request.products = toVector3(products);
+    return test::refusal<ParameterError>([&] { toAction(request); });
+  };
+  EXPECT_EQ(refusal(1.0, {0.5, 0.0, 0.0}), "");
+  EXPECT_EQ(refusal(0.0, {0.0, 0.0, 0.0}),
+            "parameter 'body/mass' is '0'; it must be a finite number > 0");
+  EXPECT_EQ(refusal(1.0, {0.0, 0.0, 2.0}),
+            "parameter 'body/inertia' is [1, 1, 1, 0, 0, 2], whose smallest eigenvalue is -1; it "
+            "must be positive definite (every eigenvalue > 0)");
+}
+
+TEST(PlantServiceRefusals, NameWhatIsWrongWithWindAndDisturbance) {
+  msgs::SetWind::Request wind;
+  wind.velocity.x = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(test::refusal<ParameterError>([&] { toAction(wind); }),
+            "parameter 'wind/velocity[0]' is 'inf'; it must be a finite number");
+  msgs::ApplyDisturbance::Request disturbance;
+  const auto refusal = [&disturbance] {
+    return test::refusal<ParameterError>([&] { toAction(disturbance); });
+  };
+  EXPECT_EQ(refusal(),
+            "parameter 'disturbance/for_so_long' is '0'; it must be a finite number > 0");
+  disturbance.for_so_long = ros::Duration(1.0);
+  EXPECT_EQ(refusal(), "");
+  disturbance.angular_frequency = -1.0;
+  EXPECT_EQ(refusal(),
+            "parameter 'disturbance/angular_frequency' is '-1'; it must be a finite number >= 0 "
+            "and <= 1000");
+}
+
+}  // namespace
+}  // namespace aqc
