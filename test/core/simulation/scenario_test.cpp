@@ -247,6 +247,8 @@ TEST(Scenario, StartsLessThanUprightButNeverOnItsSide) {
                     {"'scenario/start/" + angle + "'", value, ">= -89 and <= 89"});
     }
   }
+  expectRefused("yaw_deg: 90.0}", "yaw_deg: -360.5}",
+                {"'scenario/start/yaw_deg'", "-360.5", ">= -360 and <= 360"});
 }
 
 }  // namespace
