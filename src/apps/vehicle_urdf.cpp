@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "figures/vehicle_urdf.h"
 #include "report/resources.h"

@@ -15,8 +15,8 @@ constexpr double kStart = 5.0;  // the two metres of before would squeeze the ce
 
 struct Line {
   std::string column;
-  std::string title;   // in the legend; empty: none
-  std::string dashes;  // gnuplot's, where curves may coincide
+  std::string title = "";   // in the legend; empty: none
+  std::string dashes = "";  // gnuplot's, where curves may coincide
 };
 
 std::string subsystemName(int index) {

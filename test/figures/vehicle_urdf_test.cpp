@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <regex>
 
 #include "support/fixtures.h"
@@ -51,6 +52,29 @@ TEST(VehicleUrdf, NamesCannotBreakIt) {
   Vehicle vehicle = test::pelican();
   vehicle.name = "a\"<&b";
   EXPECT_NE(vehicleUrdf(vehicle).find("\"a&quot;&lt;&amp;b\""), std::string::npos);
+}
+
+// Arms of 0.5 m along the axes: hubs 0.5 sqrt(2) m apart, legs at 0.1 sqrt(2) m from the middle.
+TEST(VehicleUrdf, EveryPartIsWhereItBelongs) {
+  Vehicle vehicle = test::pelican();
+  for (std::size_t i = 0; i < 4; ++i) {
+    vehicle.rotors[i].arm_length = 0.5;
+    vehicle.rotors[i].angle = 0.5 * M_PI * static_cast<double>(i);
+  }
+  vehicle.gear_height = 0.4;
+  vehicle.gear_radius = 0.1 * std::sqrt(2.0);
+  const std::string urdf = vehicleUrdf(vehicle);
+  EXPECT_EQ(count(urdf, "<cylinder radius=\"0.18\" length=\"0.11\"/>"), 1) << "body";
+  EXPECT_EQ(count(urdf, "<origin xyz=\"0.18 0 0.055\" "), 1) << "nose";
+  EXPECT_EQ(count(urdf, "<cylinder radius=\"0.325269\" length=\"0.012\"/>"), 4) << "discs";
+  EXPECT_EQ(count(urdf, "<origin xyz=\"0.5 0 0.09\" "), 1) << "disc in front";
+  EXPECT_EQ(count(urdf, "<cylinder radius=\"0.006\" length=\"0.4\"/>"), 4) << "legs";
+  for (const char* foot : {"0.1 0.1", "-0.1 0.1", "-0.1 -0.1", "0.1 -0.1"}) {
+    EXPECT_EQ(count(urdf, "xyz=\"" + std::string(foot) + " -0.2\""), 1) << foot;
+  }
+  EXPECT_EQ(count(urdf, "<box size=\"0.282843 0.006 0.006\"/>"), 2) << "rails";
+  EXPECT_EQ(count(urdf, "rpy=\"0 0 0.785398\""), 1);
+  EXPECT_EQ(count(urdf, "rpy=\"0 0 -0.785398\""), 1);
 }
 
 }  // namespace

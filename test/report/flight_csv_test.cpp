@@ -86,7 +86,11 @@ FlightSample wildSample(test::Dice& dice, Eigen::Index adaptive, Eigen::Index ro
   s.state = {wildVector(dice), wildVector(dice), dice.attitude(), wildVector(dice)};
   s.flying = dice.index(3) > 0;
   if (s.flying) {
-    s.set_point = {wildVector(dice), wildVector(dice), wildVector(dice), wild(dice), wild(dice)};
+    s.set_point.position = wildVector(dice);
+    s.set_point.velocity = wildVector(dice);
+    s.set_point.acceleration = wildVector(dice);
+    s.set_point.yaw = wild(dice);
+    s.set_point.yaw_rate = wild(dice);
     Telemetry& t = s.telemetry;
     for (Eigen::Vector3d* vector :
          {&t.position_error, &t.velocity_error, &t.attitude_error, &t.rate_error,

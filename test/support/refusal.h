@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,6 +38,13 @@ void expectRefusal(const Act& act, const std::vector<std::string>& parts) {
 
 inline ParameterReader readerOf(const std::string& yaml, const std::string& name) {
   return ParameterReader(YAML::Load(yaml), name);
+}
+
+/// The path of a file with that text in the folder of temporary files.
+inline std::string written(const std::string& name, const std::string& text) {
+  const std::string path = ::testing::TempDir() + "aqc_" + name + ".yaml";
+  std::ofstream(path) << text;
+  return path;
 }
 
 /// `text` with the first `from` replaced by `to`; fails when there is none.

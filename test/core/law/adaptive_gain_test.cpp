@@ -67,5 +67,11 @@ TEST(Saturation, PerAxisClampsEveryEntryByItself) {
   EXPECT_LT((saturatePerAxis(s, 2.0) - Eigen::Vector3d(1.0, 0.25, -1.0)).norm(), 1e-15);
 }
 
+TEST(AdaptiveGain, RestsInAStepOfNoTime) {
+  AdaptiveGain gain(0.25, 1.0);
+  gain.step(10.0, 0.0);
+  EXPECT_EQ(gain.value(), 0.25);
+}
+
 }  // namespace
 }  // namespace aqc

@@ -110,5 +110,10 @@ TEST(ControllerFactory, NamesTheFileInItsErrors) {
                 {"'/nowhere.yaml'", "cannot be read"});
 }
 
+TEST(ControllerFactory, RefusesUnknownNamesInAFile) {
+  const std::string path = test::written("law", textOf("asmc") + "gian: 1\n");
+  expectRefusal([&] { loadLaw(path, test::pelican()); }, {path + "/gian'", "unknown"});
+}
+
 }  // namespace
 }  // namespace aqc

@@ -139,5 +139,26 @@ TEST(Vehicle, RefusesUnknownNames) {
                 {"'vehicle/landing_gear/hieght'", "unknown"});
 }
 
+TEST(Vehicle, RefusesUnknownNamesInAFile) {
+  EXPECT_EQ(loadVehicle(test::written("vehicle", kGood)).name, "test");
+  const std::string path = test::written("vehicle", kGood + "mas: 2.0\n");
+  expectRefusal([&] { loadVehicle(path); }, {path + "/mas'", "unknown"});
+}
+
+TEST(Vehicle, RotorsStandWithinOneTurn) {
+  EXPECT_EQ(read(replaced(kGood, "[0.0, 90.0, 180.0, -90.0]", "[360, 90, 180, -90]")).name, "test");
+  for (const char* angle : {"360.5", "-360.5"}) {
+    expectRefused("[0.0, 90.0", std::string("[") + angle + ", 90.0",
+                  {"'vehicle/rotors/angles_deg[0]'", angle, ">= -360 and <= 360"});
+  }
+}
+
+TEST(Vehicle, StandsOnFourFeetBetweenItsAxes) {
+  const auto feet = read(kGood).feet();
+  const double side = 0.15 * M_SQRT1_2;
+  const Eigen::Vector2d expected[] = {{side, side}, {-side, side}, {-side, -side}, {side, -side}};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_LT((feet[i] - expected[i]).norm(), 1e-15) << i;
+}
+
 }  // namespace
 }  // namespace aqc

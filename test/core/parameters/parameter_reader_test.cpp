@@ -14,6 +14,7 @@ namespace {
 
 using test::expectRefusal;
 using test::readerOf;
+using test::replaced;
 
 TEST(ParameterReader, ReadsEveryKindOfValue) {
   const ParameterReader reader = readerOf(R"(
@@ -241,6 +242,14 @@ TEST_F(YamlFile, IsRefusedWithTheLineWhereItBreaks) {
 
 TEST_F(YamlFile, IsReadWhenItHoldsAMap) {
   EXPECT_EQ(loadYamlFile(holding("a: 1\n"))["a"].as<int>(), 1);
+}
+
+TEST(ParameterReader, CutsValuesBeyond120Characters) {
+  const std::string longest = "[" + std::string(115, '1') + ", 1]";
+  ASSERT_EQ(longest.size(), 120u);
+  EXPECT_EQ(readerOf("x: " + longest, "tree").valueText("x"), longest);
+  EXPECT_EQ(readerOf("x: " + replaced(longest, " 1]", " 12]"), "tree").valueText("x"),
+            replaced(longest, " 1]", " 12") + " ...");
 }
 
 }  // namespace

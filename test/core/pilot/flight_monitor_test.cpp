@@ -142,5 +142,10 @@ TEST_F(FlightMonitorTest, SeesAVehicleThatDoesNotFollow) {
   expect(judge("Set point"), Health::kError, "4.00 m");
 }
 
+TEST_F(FlightMonitorTest, TellsTheRateOfAHealthyLoop) {
+  fly();
+  EXPECT_EQ(judge("Control loop").reason, "runs at 250.0 Hz");
+}
+
 }  // namespace
 }  // namespace aqc

@@ -139,5 +139,12 @@ TEST(PolynomialTrajectory, RefusesWhatIsNoTrajectory) {
   EXPECT_NE(refusal([&] { PolynomialTrajectory(bad, {1e5}); }).find("overflow"), std::string::npos);
 }
 
+TEST(PolynomialTrajectory, RefusesToStretchBeyondAllTime) {
+  const PolynomialTrajectory trajectory =
+      minimumSnap({at(0, 0, 1), at(3, 1, 2), at(5, 1, 2)}, {1.0, 1.0});
+  EXPECT_EQ(refusal([&] { trajectory.stretched(1.5e308); }),
+            "the total duration is inf s; it must be finite");
+}
+
 }  // namespace
 }  // namespace aqc

@@ -139,5 +139,12 @@ TEST(TimeAllocation, RefusesImpossibleLimits) {
   EXPECT_NE(refusal([&] { estimateDurations({}, kLimits); }), "");
 }
 
+TEST(TimeAllocation, EstimateIsTheSameEverywhere) {
+  const MotionLimits by_speed{2.0, 50.0, 1.5, 20.0};
+  const std::vector<double> durations =
+      estimateDurations({at(-2, 5, 7), at(8, 5, 7), at(8, 5, 17)}, by_speed);
+  for (const double duration : durations) EXPECT_NEAR(duration, 35.0 / 16.0 * 5.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace aqc

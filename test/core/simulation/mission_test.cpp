@@ -250,5 +250,15 @@ TEST(Mission, RefusesValuesOutOfRange) {
   expectRefused("  - hold: {}\n", {"'scenario/mission[0]/hold/for'", "missing"});
 }
 
+TEST(Mission, RefusesYawAndThrustOutOfRange) {
+  expectRefused("  - step: {position: [4, 5, 6], yaw_deg: -3600.5}\n",
+                {"yaw_deg'", "'-3600.5'", ">= -3600 and <= 3600"});
+  for (const char* ratio : {"1.0", "10.5"}) {
+    expectRefused("  - path: {limits: {speed: 1, acceleration: 1, thrust_to_weight: " +
+                      std::string(ratio) + "}, through: [{position: [5, 2, 3]}]}\n",
+                  {"thrust_to_weight'", ratio, "> 1 and <= 10"});
+  }
+}
+
 }  // namespace
 }  // namespace aqc

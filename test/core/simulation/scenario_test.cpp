@@ -209,5 +209,47 @@ TEST(Scenario, RefusesWhatIsMissingUnknownOrMistyped) {
                 {"'scenario/published/asmc/position[2]'", "'-0.3'", ">= 0"});
 }
 
+TEST(Scenario, LastsAsLongAsItsLastSetPointEventAndSwitch) {
+  const std::string early = "  - switch: {at: 6.0, subsystem: 1}\n";
+  const std::string step = "  - step: {at: 25.0, position: [1.0, 2.0, 1.5]}\n";
+  const std::string late = "  - switch: {at: 26.0, subsystem: 2}\n";
+  const struct {
+    std::string first, last;  // entries of the mission besides
+    const char* until;
+  } cases[] = {{"", "", "20"}, {early, "", "20"}, {"", step, "25"}, {early, late, "26"}};
+  for (const auto& [first, last, until] : cases) {
+    std::string yaml = replaced(kGood, "metrics:", last + "metrics:");
+    yaml = replaced(yaml, "  - attach:", first + "  - attach:");
+    const auto lasting = [&](const std::string& duration) {
+      read(replaced(yaml, "duration: 30.0", "duration: " + duration));
+    };
+    EXPECT_NO_THROW(lasting(until));
+    const std::string less = std::to_string(std::stod(until) - 0.5);
+    expectRefusal([&] { lasting(less); }, {std::string("lasts until ") + until + " s"});
+  }
+}
+
+TEST(Scenario, TheFirstLegBeginsAtTheStart) {
+  const Scenario scenario =
+      read(replaced(kGood, "  - step: {at: 5.0, position: [1.0, 2.0, 1.5]}\n",
+                    "  - path: {at: 5.0, through: [{at: 8.0, position: [3.0, -2.0, 1.5]}]}\n"));
+  const SetPoint& first = scenario.mission.set_points.front().set_point;
+  EXPECT_LT((first.position - Eigen::Vector3d(1.0, 2.0, 0.1)).norm(), 1e-12);
+  EXPECT_NEAR(first.yaw, M_PI_2, 1e-12);
+}
+
+TEST(Scenario, StartsLessThanUprightButNeverOnItsSide) {
+  EXPECT_NO_THROW(
+      read(replaced(kGood, "yaw_deg: 90.0}", "yaw_deg: 0, roll_deg: -89, pitch_deg: 89}")));
+  for (const std::string angle : {"roll_deg", "pitch_deg"}) {
+    for (const char* value : {"89.5", "-89.5"}) {
+      expectRefused("yaw_deg: 90.0}", "yaw_deg: 0, " + angle + ": " + value + "}",
+                    {"'scenario/start/" + angle + "'", value, ">= -89 and <= 89"});
+    }
+  }
+  expectRefused("yaw_deg: 90.0}", "yaw_deg: -360.5}",
+                {"'scenario/start/yaw_deg'", "-360.5", ">= -360 and <= 360"});
+}
+
 }  // namespace
 }  // namespace aqc

@@ -49,7 +49,18 @@ TEST(Lyapunov, RefusesWhatHasNoLyapunovFunction) {
   Eigen::Matrix2d skew = Q;
   skew(0, 1) = 0.1;
   EXPECT_EQ(refusal(companion(1.0, 1.0), skew), "Q is not symmetric");
-  EXPECT_THROW(solveLyapunov(companion(NAN, 1.0), Q), std::domain_error);
+  const Eigen::Matrix2d A = companion(1.0, 1.0);
+  const std::pair<Eigen::MatrixXd, Eigen::MatrixXd> unfit[] = {
+      {companion(NAN, 1.0), Q},
+      {A, Eigen::Matrix2d::Constant(NAN)},
+      {A.topRows(1), Eigen::MatrixXd::Ones(1, 1)},
+      {A, Eigen::MatrixXd::Ones(2, 3)},
+      {A, Eigen::MatrixXd::Ones(3, 2)}};
+  for (const auto& [dynamics, weight] : unfit) {
+    EXPECT_EQ(refusal(dynamics, weight), "A and Q must be square, of one size and finite")
+        << dynamics << "\n"
+        << weight;
+  }
 }
 
 // The thesis prints 6.57 s, its parameters in its own definitions give 6.760 s.
@@ -216,6 +227,13 @@ TEST(DwellTimeMonitor, AdoptedFromAnOverfilledOneItIsFull) {
   monitor.adopt(old);
   EXPECT_FALSE(monitor.allows(0));
   EXPECT_EQ(monitor.earliest(0), DwellTimeMonitor::kLongest);
+}
+
+TEST(SubsystemSwitch, OfOneSubsystemHasNothingToSwitch) {
+  SubsystemSwitch sigma(1, 1, averageDwellTime({{1.0, 2.0, 1.0}}, 0.9), DwellTimeMonitor(1, 1.0),
+                        SubsystemSwitch::Policy::kRefuse);
+  EXPECT_EQ(sigma.request(1, 0).outcome, SwitchOutcome::kAlreadyActive);
+  EXPECT_EQ(sigma.request(2, 0).outcome, SwitchOutcome::kUnknownSubsystem);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ TEST(Switched, RefusesParametersByName) {
       {"dwell_time", "6.759", "it must be > theta*"},
       {"chatter_bound", "0.5", ">= 1"},
       {"kappa_ratio", "1.0", "< 1"},
+      {"kappa_ratio", "1e-7", "it must be < 1000000 s"},
       {"boundary_layer", "0", "boundary_layer"},
       {"switching_policy", "never", "refuse, warn"},
       {"initial_subsystem", "4", "<= 3"},
@@ -91,6 +92,19 @@ TEST(Switched, EnforcesMoreThanTheLeastDwellTime) {
   YAML::Node tree = thesisTree();
   tree["dwell_time"] = 10.0;
   EXPECT_EQ(makeLaw(tree)->subsystems()->monitor().dwellTime(), fromSeconds(10.0));
+}
+
+TEST(Switched, ReadsAWholeMatrixRowByRow) {
+  YAML::Node tree = test::plainTree();
+  tree["subsystems"][0]["input_gain"] =
+      YAML::Load("[2, 0.1, 0.2, 0.3, 0.1, 3, 0.4, 0.5, 0.2, 0.4, 4, 0.6, 0.3, 0.5, 0.6, 5]");
+  Eigen::Matrix4d expected;
+  expected << 2.0, 0.1, 0.2, 0.3,  //
+      0.1, 3.0, 0.4, 0.5,          //
+      0.2, 0.4, 4.0, 0.6,          //
+      0.3, 0.5, 0.6, 5.0;
+  const auto law = makeLaw(tree);
+  EXPECT_EQ(law->law().subsystem(0).parameters().input_gain, expected);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
 #include "support/euler_model.h"
 #include "support/heap_counter.h"
@@ -170,6 +171,51 @@ TEST(Switched, StepAllocatesNothingWithEightSubsystems) {
   controller.step({state}, nullptr, kStep);
   EXPECT_EQ(counter.count(), 0u);
   EXPECT_TRUE(controller.law().usesSpecificForce());
+}
+
+// cos^2 of 45 deg in floating point is beyond 1/2, and so is the sine of this pitch beyond 1.
+TEST(Switched, PitchesStraightUpAndDownWithoutNan) {
+  for (const double sign : {-1.0, 1.0}) {
+    State state;
+    state.attitude = Eigen::Quaterniond(M_SQRT1_2, 0.0, sign * M_SQRT1_2, 0.0);
+    ASSERT_GT(std::abs(state.attitude.toRotationMatrix()(2, 0)), 1.0);
+    EXPECT_EQ(rollPitchYaw(state.attitude).y(), sign * M_PI_2);
+    const auto law = makeLaw(plainTree());
+    const Wrench wrench = test::step(*law, {state, kResting}, {}, kStep);
+    EXPECT_EQ(law->telemetry().attitude_error.y(), sign * M_PI_2);
+    EXPECT_TRUE(wrench.moment.allFinite() && std::isfinite(wrench.thrust));
+  }
+}
+
+TEST(Switched, WantsToStandUprightAndTurned) {
+  const auto law = makeLaw(plainTree());
+  SetPoint set_point;
+  set_point.yaw = 0.7;
+  test::step(*law, {State(), kResting}, set_point, kStep);
+  EXPECT_TRUE(law->telemetry().desired_attitude.isApprox(yawRotation(0.7), 1e-15));
+}
+
+// Every subsystem's gains go over; a law of another kind, or of another number, has none to give.
+TEST(Switched, AdoptsEverySubsystemOfALawOfItsKind) {
+  const auto old = makeLaw(plainTree());
+  for (int subsystem : {1, 2}) {
+    old->subsystems()->request(subsystem, 0);
+    for (int i = 0; i < 10; ++i) test::step(*old, {tooHigh(), kClimbing}, climb(), kStep);
+  }
+  const auto fresh = makeLaw(plainTree());
+  const AdaptiveValues initial = fresh->telemetry().adaptive;
+  fresh->adopt(*old);
+  for (int i = 0; i < 13; ++i) {
+    EXPECT_EQ(fresh->telemetry().adaptive[i], old->telemetry().adaptive[i]) << i;
+    EXPECT_NE(fresh->telemetry().adaptive[i], initial[i]) << i;
+  }
+  YAML::Node tree = plainTree();
+  tree["subsystems"].push_back(tree["subsystems"][0]);
+  const auto larger = makeLaw(tree);
+  const AdaptiveValues before = larger->telemetry().adaptive;
+  larger->adopt(*old);
+  larger->adopt(*test::lawNamed("asmc", test::pelican()));
+  EXPECT_TRUE(test::sameBits(larger->telemetry().adaptive, before));
 }
 
 }  // namespace
