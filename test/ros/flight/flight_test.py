@@ -28,7 +28,7 @@ class Flight(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node('flight_test')
-        cls.scenario = rospy.get_param('/uav/scenario/name')
+        cls.scenario = rospy.get_param('~scenario')
         cls.controller = rospy.get_param('/uav/controller/gains/law')
         cls.folder = tempfile.TemporaryDirectory()
         ros, offline = os.path.join(cls.folder.name, 'ros'), os.path.join(cls.folder.name, 'fly')
