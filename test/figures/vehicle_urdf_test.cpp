@@ -75,6 +75,9 @@ TEST(VehicleUrdf, EveryPartIsWhereItBelongs) {
   EXPECT_EQ(count(urdf, "<box size=\"0.282843 0.006 0.006\"/>"), 2) << "rails";
   EXPECT_EQ(count(urdf, "rpy=\"0 0 0.785398\""), 1);
   EXPECT_EQ(count(urdf, "rpy=\"0 0 -0.785398\""), 1);
+  // The nearest two of an uneven set, at 100 and 180 deg, are sin 40 deg apart.
+  vehicle.rotors[1].angle = M_PI * 100.0 / 180.0;
+  EXPECT_EQ(count(vehicleUrdf(vehicle), "<cylinder radius=\"0.295682\" length=\"0.012\"/>"), 4);
 }
 
 }  // namespace
