@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adaptive_quadrotor_control/law/switched/switched.h"
+#include "adaptive_quadrotor_control/law/max_subsystems.h"
 
 namespace aqc {
 namespace {

@@ -1,62 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "support/source_tree.h"
+#include "house/sources.h"
 
 // The core is plain C++: no ROS, no clock, no logging, no randomness of its own.
 namespace aqc {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Source {
-  std::string name;
-  std::string code;  // without comments and texts
-};
-
-std::string withoutComments(const std::string& text) {
-  std::string code;
-  for (std::size_t i = 0; i < text.size();) {
-    if (text.compare(i, 2, "//") == 0) {
-      i = std::min(text.find('\n', i), text.size());
-    } else if (text.compare(i, 2, "/*") == 0) {
-      const std::size_t end = text.find("*/", i + 2);
-      i = end == std::string::npos ? text.size() : end + 2;
-    } else {
-      code += text[i++];
-    }
-  }
-  return code;
-}
-
-/// Every C++ file under include/ and src/ but those in folders of the given names.
-std::vector<Source> sources(const std::vector<std::string>& left_out) {
-  std::vector<Source> all;
-  for (const char* root : {"include", "src"}) {
-    const fs::path folder = fs::path(test::sourceTree()) / root;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-      const std::string extension = entry.path().extension().string();
-      if (extension != ".h" && extension != ".hpp" && extension != ".cpp") continue;
-      const fs::path relative = entry.path().lexically_relative(folder);
-      bool skipped = false;
-      for (const fs::path& part : relative.parent_path()) {
-        for (const std::string& name : left_out) skipped = skipped || part == name;
-      }
-      if (skipped) continue;
-      std::ifstream file(entry.path());
-      std::ostringstream text;
-      text << file.rdbuf();
-      all.push_back({std::string(root) + "/" + relative.string(), withoutComments(text.str())});
-    }
-  }
-  return all;
-}
+using test::Source;
+using test::sources;
 
 void expectNone(const std::vector<Source>& files, const std::string& pattern) {
   const std::regex regex(pattern);
