@@ -20,9 +20,7 @@ void requireFinite(const std::optional<Eigen::Vector4d>& derivative, const char*
 }  // namespace
 
 void requireWaypoints(const std::vector<Waypoint>& waypoints) {
-  if (waypoints.empty()) {
-    throwInvalidArgument("there is no waypoint; there must be at least 1");
-  }
+  if (waypoints.empty()) throwInvalidArgument("there is no waypoint; there must be at least 1");
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     const Waypoint& waypoint = waypoints[i];
     if (!waypoint.position.allFinite()) {

@@ -13,8 +13,8 @@ namespace {
 // Room for rounding where a limit is exactly the present motion.
 constexpr double kMargin = 1.0 + 1e-6;
 
-/// From the present motion to rest within `duration`. With the end and the first jerk free, least
-/// snap means that the snap begins with zero and that position is of degree six: both follow.
+// From the present motion to rest within `duration`. With the end and the first jerk free, least
+// snap means that the snap begins with zero and that position is of degree six: both follow.
 PolynomialTrajectory brakeFor(double duration, const KnotState& present) {
   const Eigen::Vector4d velocity = present.col(1);
   const Eigen::Vector4d acceleration = present.col(2);
@@ -25,7 +25,7 @@ PolynomialTrajectory brakeFor(double duration, const KnotState& present) {
   return PolynomialTrajectory({start, end}, {duration});
 }
 
-/// The limits, each at least what the present motion takes already.
+// The limits, each at least what the present motion takes already.
 MotionLimits widened(MotionLimits limits, const KnotState& present) {
   // Thrust that points down has no tilt below a right angle.
   constexpr double kSteepest = 0.999 * M_PI / 2.0;

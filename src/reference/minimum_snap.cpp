@@ -29,21 +29,21 @@ constexpr int kSegmentRows = 4;
 constexpr int kMaxRows = kDerivatives + kSegmentRows;
 constexpr int kMaxColumns = 2 * kDerivatives + kOutputs;
 
-/// Columns: free derivatives of one waypoint, then of the next, then one right-hand side per
-/// output. Only the leading rows and columns in use have a meaning.
+// Columns: free derivatives of one waypoint, then of the next, then one right-hand side per
+// output. Only the leading rows and columns in use have a meaning.
 using Rows = Eigen::Matrix<double, kMaxRows, kMaxColumns>;
 
-/// The free derivatives of a waypoint by order (1 velocity, 2 acceleration, 3 jerk), one column
-/// each.
+// The free derivatives of a waypoint by order (1 velocity, 2 acceleration, 3 jerk), one column
+// each.
 struct FreeSet {
   int count = 0;
   std::array<int, kDerivatives> order{};
 };
 
-/// Upper triangular rows that give the free derivatives of one waypoint from those of the next.
+// Upper triangular rows that give the free derivatives of one waypoint from those of the next.
 using TriangularRows = Eigen::Matrix<double, kDerivatives, kMaxColumns>;
 
-/// What the segments up to a waypoint ask of its free derivatives.
+// What the segments up to a waypoint ask of its free derivatives.
 struct Carry {
   int count = 0;
   Eigen::Matrix<double, kDerivatives, kDerivatives> coefficients =
@@ -57,11 +57,11 @@ std::array<const std::optional<Eigen::Vector4d>*, kDerivatives> derivativesOf(
   return {&waypoint.velocity, &waypoint.acceleration, &waypoint.jerk};
 }
 
-FreeSet freeSetOf(const Waypoint& waypoint, bool is_rest) {
+FreeSet freeSetOf(const Waypoint& waypoint, bool at_rest) {
   FreeSet free;
   const auto derivatives = derivativesOf(waypoint);
   for (int i = 0; i < kDerivatives; ++i) {
-    if (!is_rest && !derivatives[static_cast<std::size_t>(i)]->has_value()) {
+    if (!at_rest && !derivatives[static_cast<std::size_t>(i)]->has_value()) {
       free.order[static_cast<std::size_t>(free.count++)] = i + 1;
     }
   }
@@ -71,22 +71,20 @@ FreeSet freeSetOf(const Waypoint& waypoint, bool is_rest) {
 std::vector<FreeSet> freeSetsOf(const std::vector<Waypoint>& waypoints, EndDerivatives ends) {
   std::vector<FreeSet> free(waypoints.size());
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    const bool is_end = i == 0 || i + 1 == waypoints.size();
-    free[i] = freeSetOf(waypoints[i], is_end && ends == EndDerivatives::kRest);
+    const bool outermost = i == 0 || i + 1 == waypoints.size();
+    free[i] = freeSetOf(waypoints[i], outermost && ends == EndDerivatives::kRest);
   }
   return free;
 }
 
-/// The states with everything that is fixed filled in and the free derivatives zero.
+// The states with everything that is fixed filled in and the free derivatives zero.
 std::vector<KnotState> knownStates(const std::vector<Waypoint>& waypoints) {
   constexpr double kTurn = 2.0 * M_PI;
   std::vector<KnotState> knots(waypoints.size(), KnotState::Zero());
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     const Waypoint& waypoint = waypoints[i];
     double yaw = waypoint.yaw;
-    if (i > 0) {
-      yaw += kTurn * std::nearbyint((knots[i - 1](3, 0) - yaw) / kTurn);
-    }
+    if (i > 0) yaw += kTurn * std::nearbyint((knots[i - 1](3, 0) - yaw) / kTurn);
     knots[i].col(0) << waypoint.position, yaw;
     const auto derivatives = derivativesOf(waypoint);
     for (std::size_t k = 0; k < derivatives.size(); ++k) {
@@ -126,16 +124,14 @@ Rows assemble(const Carry& carry, const SnapRows& segment, const KnotState& star
   return rows;
 }
 
-/// Makes `count` columns, of which the first is `first`, upper triangular by orthogonal
-/// transformations of the rows from `first` on.
+// Makes `count` columns, of which the first is `first`, upper triangular by orthogonal
+// transformations of the rows from `first` on.
 void triangularise(Rows& rows, int first, int count, int row_count, int column_count) {
   for (int k = first; k < std::min(first + count, row_count); ++k) {
     const int tail = row_count - k - 1;
     int heaviest = 0;
     rows.col(k).segment(k, tail + 1).cwiseAbs().maxCoeff(&heaviest);
-    if (heaviest != 0) {
-      rows.row(k).swap(rows.row(k + heaviest));
-    }
+    if (heaviest != 0) rows.row(k).swap(rows.row(k + heaviest));
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxRows, 1> essential(tail);
     double tau = 0.0;
     double beta = 0.0;
@@ -159,7 +155,7 @@ Carry carryOf(const Rows& rows, int first, int count, int next_count) {
   return carry;
 }
 
-/// Fills in the free derivatives of `knot`, with those of the next knot already known.
+// Fills in the free derivatives of `knot`, with those of the next knot already known.
 void backSubstitute(const TriangularRows& rows, const FreeSet& own, const FreeSet& next_free,
                     const KnotState& next, KnotState& knot) {
   Eigen::Matrix<double, kDerivatives, kOutputs> rhs =
@@ -170,14 +166,12 @@ void backSubstitute(const TriangularRows& rows, const FreeSet& own, const FreeSe
   }
   for (int k = own.count - 1; k >= 0; --k) {
     rhs.row(k) /= rows(k, k);
-    for (int above = 0; above < k; ++above) {
-      rhs.row(above) -= rows(above, k) * rhs.row(k);
-    }
+    for (int above = 0; above < k; ++above) rhs.row(above) -= rows(above, k) * rhs.row(k);
     knot.col(own.order[static_cast<std::size_t>(k)]) = rhs.row(k).transpose();
   }
 }
 
-/// Replaces the free derivatives in `knots` by the optimal ones.
+// Replaces the free derivatives in `knots` by the optimal ones.
 void optimise(const std::vector<FreeSet>& free, const std::vector<double>& durations,
               std::vector<KnotState>& knots) {
   const SnapRows unit = unitSnapRows();
@@ -204,17 +198,13 @@ void optimise(const std::vector<FreeSet>& free, const std::vector<double>& durat
   }
 }
 
-/// A cubic costs nothing, so the optimum is unique only if no cubic but zero vanishes with all
-/// that is fixed. Four waypoints settle that by their positions; with fewer it takes derivatives.
+// A cubic costs nothing, so the optimum is unique only if no cubic but zero vanishes with all
+// that is fixed. Four waypoints settle that by their positions; with fewer it takes derivatives.
 void requireDetermined(const std::vector<FreeSet>& free, const std::vector<double>& durations) {
-  if (free.size() >= 4) {
-    return;
-  }
+  if (free.size() >= 4) return;
   std::vector<Eigen::RowVector4d> fixed;
   double total = 0.0;
-  for (const double duration : durations) {
-    total += duration;
-  }
+  for (const double duration : durations) total += duration;
   double time = 0.0;
   for (std::size_t i = 0; i < free.size(); ++i) {
     const double u = time / total;
@@ -223,9 +213,7 @@ void requireDetermined(const std::vector<FreeSet>& free, const std::vector<doubl
     for (int k = 0; k < free[i].count; ++k) {
       rows.row(free[i].order[static_cast<std::size_t>(k)]).setZero();
     }
-    for (int k = 0; k < 4; ++k) {
-      fixed.emplace_back(rows.row(k));
-    }
+    for (int k = 0; k < 4; ++k) fixed.emplace_back(rows.row(k));
     time += i < durations.size() ? durations[i] : 0.0;
   }
   Eigen::MatrixXd conditions(static_cast<Eigen::Index>(fixed.size()), 4);
@@ -257,9 +245,7 @@ PolynomialTrajectory minimumSnap(const std::vector<Waypoint>& waypoints,
     return PolynomialTrajectory(knots, segment_durations);
   }
   const std::vector<FreeSet> free = freeSetsOf(waypoints, ends);
-  if (ends == EndDerivatives::kFree) {
-    requireDetermined(free, segment_durations);
-  }
+  if (ends == EndDerivatives::kFree) requireDetermined(free, segment_durations);
   optimise(free, segment_durations, knots);
   return PolynomialTrajectory(knots, segment_durations);
 }

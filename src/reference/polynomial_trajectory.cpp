@@ -21,7 +21,7 @@ FlatOutput hold(const Eigen::Vector4d& position) noexcept {
   return output;
 }
 
-/// Derivatives with respect to unit time instead of seconds.
+// Derivatives with respect to unit time instead of seconds.
 KnotState inUnitTime(KnotState state, double duration) {
   double scale = 1.0;
   for (int order = 1; order < 4; ++order) {
@@ -31,17 +31,17 @@ KnotState inUnitTime(KnotState state, double duration) {
   return state;
 }
 
-/// The state as a clock that runs backwards sees it.
+// The state as a clock that runs backwards sees it.
 KnotState reversed(KnotState state) {
   state.col(1) *= -1.0;
   state.col(3) *= -1.0;
   return state;
 }
 
-/// Coefficients of the septic on [0, 1] with the given states (in unit time) at its ends. The
-/// first four are the start's Taylor coefficients; the others make up for what the cubic through
-/// them misses at the end (the matrix is the inverse of the powers 4 to 7 and their derivatives
-/// at one).
+// Coefficients of the septic on [0, 1] with the given states (in unit time) at its ends. The
+// first four are the start's Taylor coefficients; the others make up for what the cubic through
+// them misses at the end (the matrix is the inverse of the powers 4 to 7 and their derivatives
+// at one).
 Eigen::Matrix<double, 4, 8> septic(const KnotState& start, const KnotState& end) {
   Eigen::Matrix<double, 4, 8> c;
   c.col(0) = start.col(0);
@@ -66,9 +66,7 @@ Eigen::Matrix<double, 4, 8> septic(const KnotState& start, const KnotState& end)
 
 PolynomialTrajectory::PolynomialTrajectory(const std::vector<KnotState>& knots,
                                            const std::vector<double>& segment_durations) {
-  if (knots.empty()) {
-    throwInvalidArgument("there is no knot; a trajectory needs at least 1");
-  }
+  if (knots.empty()) throwInvalidArgument("there is no knot; a trajectory needs at least 1");
   requireDurations(segment_durations, knots.size(), "knots");
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (!knots[i].allFinite()) {
@@ -96,18 +94,14 @@ PolynomialTrajectory::Segment PolynomialTrajectory::makeSegment(const KnotState&
   Segment segment;
   segment.from_start = septic(unit_start, unit_end);
   segment.from_end = septic(reversed(unit_end), reversed(unit_start));
-  for (int k = 1; k <= kDegree; k += 2) {
-    segment.from_end.col(k) *= -1.0;
-  }
+  for (int k = 1; k <= kDegree; k += 2) segment.from_end.col(k) *= -1.0;
   return segment;
 }
 
 void PolynomialTrajectory::setDurations(const std::vector<double>& durations) {
   std::vector<double> knot_times(1, 0.0);
   knot_times.reserve(durations.size() + 1);
-  for (const double duration : durations) {
-    knot_times.push_back(knot_times.back() + duration);
-  }
+  for (const double duration : durations) knot_times.push_back(knot_times.back() + duration);
   if (!std::isfinite(knot_times.back())) {
     throwInvalidArgument("the total duration is ", knot_times.back(), " s; it must be finite");
   }
@@ -116,12 +110,8 @@ void PolynomialTrajectory::setDurations(const std::vector<double>& durations) {
 }
 
 FlatOutput PolynomialTrajectory::evaluate(double time) const noexcept {
-  if (segments_.empty() || !(time >= 0.0)) {
-    return hold(first_);
-  }
-  if (time > duration()) {
-    return hold(last_);
-  }
+  if (segments_.empty() || !(time >= 0.0)) return hold(first_);
+  if (time > duration()) return hold(last_);
   const auto inner_begin = std::next(knot_times_.begin());
   const auto inner_end = std::prev(knot_times_.end());
   const auto next = std::upper_bound(inner_begin, inner_end, time);
@@ -129,10 +119,10 @@ FlatOutput PolynomialTrajectory::evaluate(double time) const noexcept {
   const double rate = 1.0 / durations_[index];
   const double since_start = time - *std::prev(next);
   const double until_end = *next - time;
-  const bool is_near_start = since_start <= until_end;
+  const bool near_start = since_start <= until_end;
   const Segment& segment = segments_[index];
-  const Coefficients& c = is_near_start ? segment.from_start : segment.from_end;
-  const double u = (is_near_start ? since_start : -until_end) * rate;
+  const Coefficients& c = near_start ? segment.from_start : segment.from_end;
+  const double u = (near_start ? since_start : -until_end) * rate;
 
   // Horner's scheme for the value and, along with it, the derivatives divided by k!.
   FlatOutput output = hold(c.col(kDegree));
@@ -172,9 +162,7 @@ PolynomialTrajectory PolynomialTrajectory::stretched(double factor) const {
     throwInvalidArgument("the stretch factor is ", factor, "; it must be finite and > 0");
   }
   std::vector<double> durations = durations_;
-  for (double& duration : durations) {
-    duration *= factor;
-  }
+  for (double& duration : durations) duration *= factor;
   // The coefficients are in unit time and so do not change.
   requireDurations(durations, durations.size() + 1, "knots");
   PolynomialTrajectory result = *this;

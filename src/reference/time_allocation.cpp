@@ -14,7 +14,7 @@
 namespace aqc {
 namespace {
 
-constexpr double kShortestDuration = 0.1;  // s
+constexpr double kShortestDuration = 0.1;  // [s]
 // What refining a peak may miss of it, so that the limits hold strictly.
 constexpr double kStretchMargin = 1.0 + 1e-6;
 
@@ -34,9 +34,9 @@ void requireLimits(const MotionLimits& limits) {
 
 enum Limit { kSpeed, kAcceleration, kTilt, kThrust, kLimitCount };
 
-/// For every limit the factor by which time must be stretched for it to hold in this state. A
-/// stretch f divides the velocity by f and the acceleration by f^2, so that each limit becomes a
-/// condition on f that can be solved.
+// For every limit the factor by which time must be stretched for it to hold in this state. A
+// stretch f divides the velocity by f and the acceleration by f^2, so that each limit becomes a
+// condition on f that can be solved.
 Eigen::Array4d stretchOf(const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
                          const MotionLimits& limits) {
   const double squared_norm = acceleration.squaredNorm();
@@ -60,7 +60,7 @@ Eigen::Array4d stretchAt(const PolynomialTrajectory& trajectory, double time,
   return stretchOf(output.derivative[1].head<3>(), output.derivative[2].head<3>(), limits);
 }
 
-/// Largest stretch for one limit between two times that enclose a single peak, by golden section.
+// Largest stretch for one limit between two times that enclose a single peak, by golden section.
 double refinedPeak(const PolynomialTrajectory& trajectory, const MotionLimits& limits, int limit,
                    double low, double high) {
   constexpr int kSteps = 22;  // narrows the bracket to 3e-5 and so the peak to 1e-9 of its height
@@ -88,9 +88,9 @@ double refinedPeak(const PolynomialTrajectory& trajectory, const MotionLimits& l
   return std::max(left_value, right_value);
 }
 
-/// Raises `required` to the largest stretch asked for in a segment. The squared speed is of degree
-/// twelve and so has few peaks: the samples stand close enough to tell them apart, and only those
-/// high enough to matter are refined, each limit for itself as only then it is smooth.
+// Raises `required` to the largest stretch asked for in a segment. The squared speed is of degree
+// twelve and so has few peaks: the samples stand close enough to tell them apart, and only those
+// high enough to matter are refined, each limit for itself as only then it is smooth.
 double segmentStretch(const PolynomialTrajectory& trajectory, const MotionLimits& limits,
                       double begin, double duration, double required) {
   constexpr int kIntervals = 64;
@@ -120,19 +120,16 @@ double segmentStretch(const PolynomialTrajectory& trajectory, const MotionLimits
 }
 
 std::vector<double> scaled(std::vector<double> durations, double factor) {
-  for (double& duration : durations) {
-    duration *= factor;
-  }
+  for (double& duration : durations) duration *= factor;
   return durations;
 }
 
 bool hasMotionFixed(const std::vector<Waypoint>& waypoints) {
-  const auto is_motion = [](const std::optional<Eigen::Vector4d>& derivative) {
+  const auto moves = [](const std::optional<Eigen::Vector4d>& derivative) {
     return derivative && !derivative->isZero(0.0);
   };
   return std::any_of(waypoints.begin(), waypoints.end(), [&](const Waypoint& waypoint) {
-    return is_motion(waypoint.velocity) || is_motion(waypoint.acceleration) ||
-           is_motion(waypoint.jerk);
+    return moves(waypoint.velocity) || moves(waypoint.acceleration) || moves(waypoint.jerk);
   });
 }
 
@@ -154,8 +151,8 @@ void requireFixedWithin(const std::vector<Waypoint>& waypoints, const MotionLimi
   }
 }
 
-/// Below this factor the mean speed in some segment would be beyond the limit, or the longest
-/// segment shorter than any may be.
+// Below this factor the mean speed in some segment would be beyond the limit, or the longest
+// segment shorter than any may be.
 double smallestFactor(const std::vector<Waypoint>& waypoints, const MotionLimits& limits,
                       const std::vector<double>& durations) {
   double factor = kShortestDuration / *std::max_element(durations.begin(), durations.end());
@@ -166,8 +163,8 @@ double smallestFactor(const std::vector<Waypoint>& waypoints, const MotionLimits
   return factor;
 }
 
-/// The trajectory with the smallest factor on the durations with which the limits hold. Solves
-/// anew for every factor, as scaling in time would change the fixed derivatives.
+// The trajectory with the smallest factor on the durations with which the limits hold. Solves
+// anew for every factor, as scaling in time would change the fixed derivatives.
 PolynomialTrajectory solveWithin(const std::vector<Waypoint>& waypoints, const MotionLimits& limits,
                                  EndDerivatives ends, const std::vector<double>& durations) {
   constexpr double kLargestFactor = 1000.0;
@@ -181,9 +178,7 @@ PolynomialTrajectory solveWithin(const std::vector<Waypoint>& waypoints, const M
   };
   double factor = smallestFactor(waypoints, limits, durations);
   PolynomialTrajectory best = solve(factor);
-  if (holds(best)) {
-    return best;
-  }
+  if (holds(best)) return best;
   double too_small = factor;
   do {
     too_small = factor;
@@ -243,9 +238,7 @@ double requiredStretch(const PolynomialTrajectory& trajectory, const MotionLimit
 PolynomialTrajectory minimumSnapWithin(const std::vector<Waypoint>& waypoints,
                                        const MotionLimits& limits, EndDerivatives ends) {
   const std::vector<double> durations = estimateDurations(waypoints, limits);
-  if (durations.empty()) {
-    return minimumSnap(waypoints, durations, ends);
-  }
+  if (durations.empty()) return minimumSnap(waypoints, durations, ends);
   if (hasMotionFixed(waypoints)) {
     requireFixedWithin(waypoints, limits);
     return solveWithin(waypoints, limits, ends, durations);

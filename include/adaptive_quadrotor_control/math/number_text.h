@@ -7,12 +7,14 @@
 
 namespace aqc {
 
-/// A number as error messages print it: to 12 digits, which tells apart what a person would,
-/// without noise in the last places.
+/// Digits of numbers in error messages: they tell apart what a person would, without noise in the
+/// last places.
+constexpr int kMessageDigits = 12;
+
+/// A number as error messages print it, to kMessageDigits.
 inline std::string numberText(double value) {
-  constexpr int kDigits = 12;
   std::ostringstream out;
-  out.precision(kDigits);
+  out.precision(kMessageDigits);
   out << value;
   return out.str();
 }

@@ -11,11 +11,11 @@ namespace aqc {
 /// A point to fly through. Derivatives are of (x, y, z, yaw); one that has no value is chosen by
 /// the optimisation, except at the ends, where EndDerivatives decides.
 struct Waypoint {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< world frame, z up (m)
-  double yaw = 0.0;                                    ///< about world z (rad), any turn
-  std::optional<Eigen::Vector4d> velocity;             ///< m/s, rad/s
-  std::optional<Eigen::Vector4d> acceleration;         ///< m/s^2, rad/s^2
-  std::optional<Eigen::Vector4d> jerk;                 ///< m/s^3, rad/s^3
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< world frame, z up [m]
+  double yaw = 0.0;                                    ///< about world z [rad], any turn
+  std::optional<Eigen::Vector4d> velocity;             ///< [m/s], [rad/s]
+  std::optional<Eigen::Vector4d> acceleration;         ///< [m/s^2], [rad/s^2]
+  std::optional<Eigen::Vector4d> jerk;                 ///< [m/s^3], [rad/s^3]
 };
 
 /// What derivatives without a value mean at the first and the last waypoint.

@@ -10,9 +10,9 @@ namespace aqc {
 /// What the vehicle may do along a trajectory. With acceleration a, gravity g = 9.81 m/s^2 and the
 /// upward unit vector e3, the thrust per mass that the motion takes is a + g e3 (no drag).
 struct MotionLimits {
-  double speed;             ///< largest norm of the velocity (m/s), > 0
-  double acceleration;      ///< largest norm of the acceleration, gravity not counted (m/s^2), > 0
-  double tilt;              ///< largest angle between a + g e3 and e3 (rad), in (0, pi/2)
+  double speed;             ///< largest norm of the velocity [m/s], > 0
+  double acceleration;      ///< largest norm of the acceleration, gravity not counted [m/s^2], > 0
+  double tilt;              ///< largest angle between a + g e3 and e3 [rad], in (0, pi/2)
   double thrust_to_weight;  ///< largest |a + g e3| / g, > 1
 };
 

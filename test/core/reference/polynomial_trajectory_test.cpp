@@ -105,6 +105,8 @@ TEST(PolynomialTrajectory, StretchingScalesDerivativesAndCost) {
   for (const double factor : {0.0, -1.0, kInf, kNan}) {
     EXPECT_EQ(refusal([&] { trajectory.stretched(factor); }).find("the stretch factor is"), 0U);
   }
+  EXPECT_EQ(refusal([&] { trajectory.stretched(-0.123456789); }),
+            "the stretch factor is -0.123456789; it must be finite and > 0");
 }
 
 TEST(PolynomialTrajectory, IsFiniteDownToTheShortestSegmentAndRefusesShorterOnes) {

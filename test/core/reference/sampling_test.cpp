@@ -52,9 +52,10 @@ TEST(Sampling, RefusesMoreSetPointsThanAnyFlightNeeds) {
     return minimumSnap({test::at(0, 0, 1), test::at(3, 1, 2, 1)}, {duration});
   };
   constexpr Nanoseconds kCentisecond = 10'000'000;
-  EXPECT_EQ(test::refusal([&] { sample(lasting(2e7), 0, kCentisecond); }),
-            "the duration is 2e+07 s; it must be <= 10000 s, which makes 1000000 set points, one "
-            "every 0.01 s");
+  EXPECT_EQ(
+      test::refusal([&] { sample(lasting(2e7), 0, kCentisecond); }),
+      "the duration is 20000000 s; it must be <= 10000 s, which makes 1000000 set points, one "
+      "every 0.01 s");
   EXPECT_NE(test::refusal([&] { sample(lasting(1e30), 0, kCentisecond); }), "");
   EXPECT_NE(test::refusal([&] { sample(lasting(1.0), 0, 1); }), "");
   EXPECT_NO_THROW(requireFewSetPoints(1e4, kCentisecond));
