@@ -48,13 +48,14 @@ void refuseUnknown(const YAML::Node& node, const std::string& name,
 
 }  // namespace
 
-ParameterReader::ParameterReader(YAML::Node tree, std::string name)
-    : ParameterReader(std::move(tree), name, std::make_shared<Heard>()) {
+ParameterReader::ParameterReader(const YAML::Node& tree, std::string name)
+    : ParameterReader(tree, name, std::make_shared<Heard>()) {
   heard_->root = std::move(name);
 }
 
-ParameterReader::ParameterReader(YAML::Node tree, std::string name, std::shared_ptr<Heard> heard)
-    : tree_(std::move(tree)), name_(std::move(name)), heard_(std::move(heard)) {
+ParameterReader::ParameterReader(const YAML::Node& tree, std::string name,
+                                 std::shared_ptr<Heard> heard)
+    : tree_(tree), name_(std::move(name)), heard_(std::move(heard)) {
   if (!tree_.IsMap()) {
     throw ParameterError("parameter '" + name_ + "' is " + print(tree_) +
                          "; it must be a map of names and values");

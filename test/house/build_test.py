@@ -94,7 +94,7 @@ class Build(unittest.TestCase):
     @unittest.skipUnless(DEVEL, 'this is about a catkin workspace')
     def test_a_workspace_needs_nothing_that_only_tests_use(self):
         programs = {'CLANG_FORMAT': 'clang-format', 'CATKIN_LINT': 'catkin_lint',
-                    'VALGRIND': 'valgrind'}
+                    'CLANG_TIDY': 'clang-tidy', 'VALGRIND': 'valgrind'}
         packages = ['rapidcheck', 'rostest']
         code, text = self.configure('-DCATKIN_ENABLE_TESTING=ON', *self.hiding(packages),
                                     *['-D%s=' % variable for variable in programs])
@@ -108,6 +108,12 @@ class Build(unittest.TestCase):
         self.assertNotEqual(code, 0)
         for word in ("'magic'", 'address', 'undefined', 'thread'):
             self.assertIn(word, text)
+
+    def test_sanitizers_that_exclude_each_other_are_refused(self):
+        code, text = self.configure('-DAQC_ROS=OFF', '-DAQC_SANITIZE=address;thread')
+        self.assertNotEqual(code, 0)
+        self.assertIn("'address;thread'", ' '.join(text.split()))
+        self.assertIn('exclude each other', ' '.join(text.split()))
 
 
 if __name__ == '__main__':

@@ -38,8 +38,8 @@ struct EulerMotion {
 };
 
 struct EulerAcceleration {
-  Eigen::Vector4d q;
-  Eigen::Vector2d lateral;
+  Eigen::Vector4d q = Eigen::Vector4d::Zero();
+  Eigen::Vector2d lateral = Eigen::Vector2d::Zero();
 
   double norm() const { return std::sqrt(q.squaredNorm() + lateral.squaredNorm()); }
 };

@@ -12,8 +12,8 @@ namespace aqc {
 constexpr double kAttitudeErrorScale = 0.5;
 
 struct AttitudeErrors {
-  Eigen::Vector3d angle;  ///< e_q = 1/2 (R_d' R - R' R_d)^vee, in B [rad]
-  Eigen::Vector3d rate;   ///< de_q = omega - R' R_d omega_d, in B [rad/s]
+  Eigen::Vector3d angle = Eigen::Vector3d::Zero();  ///< e_q = 1/2 (R_d' R - R' R_d)^vee, in B [rad]
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero();   ///< de_q = omega - R' R_d omega_d, in B [rad/s]
 };
 
 /// Limits that keep assumption 2 of the thesis, |phi_d|, |theta_d| < pi/2, whatever force a law

@@ -8,8 +8,8 @@ namespace aqc {
 class ParameterReader;
 
 struct PositionErrors {
-  Eigen::Vector3d position;  ///< e_p = p - p_d, in W [m]
-  Eigen::Vector3d velocity;  ///< de_p, in W [m/s]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< e_p = p - p_d, in W [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< de_p, in W [m/s]
 };
 
 /// The outer/inner structure of thesis chapter 2, shared by every law built on it: a position law

@@ -30,7 +30,7 @@ class ParameterReader {
  public:
   /// `name` is the prefix that errors print, e.g. "vehicle" or a file name. An empty name prints
   /// the bare keys. Throws ParameterError unless `tree` is a map.
-  ParameterReader(YAML::Node tree, std::string name);
+  ParameterReader(const YAML::Node& tree, std::string name);
 
   /// Whether the key is there, with whatever value.
   bool has(const std::string& key) const;
@@ -102,7 +102,7 @@ class ParameterReader {
     Schema schema;
     std::map<std::string, std::size_t> places;  // in the schema
   };
-  ParameterReader(YAML::Node tree, std::string name, std::shared_ptr<Heard> heard);
+  ParameterReader(const YAML::Node& tree, std::string name, std::shared_ptr<Heard> heard);
   YAML::Node find(const std::string& key) const;
   YAML::Node require(const std::string& key, const std::string& what) const;
   double toNumber(const YAML::Node& node, const std::string& full, const Range& range) const;

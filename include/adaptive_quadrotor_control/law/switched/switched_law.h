@@ -18,21 +18,24 @@ using Matrix4x8d = Eigen::Matrix<double, 4, 8>;
 /// What the designer chooses for one subsystem. K_1, K_2, D (4 x 4) and Q (8 x 8) are symmetric
 /// positive definite.
 struct SubsystemParameters {
-  Eigen::Matrix4d error_gain;     ///< K_1 [1/s^2]
-  Eigen::Matrix4d rate_gain;      ///< K_2 [1/s]
-  Eigen::Matrix4d input_gain;     ///< D, stands where an inertia would [kg, kg m, kg m, kg m^2]
-  Matrix8d weight;                ///< Q
-  Eigen::Vector4d leak;           ///< alpha_0 .. alpha_3 [1/s], each > varrho / 2 (eq. alpha)
-  double gamma_drive;             ///< epsilon, > 0
-  double zeta_drive;              ///< bar-epsilon, > 0
-  Eigen::Vector4d initial_theta;  ///< theta-hat_0 .. theta-hat_3 at the start, > 0 (eq. init)
-  double initial_zeta;            ///< bar-zeta, > bar-epsilon
-  double initial_gamma;           ///< bar-gamma, > epsilon
+  Eigen::Matrix4d error_gain = Eigen::Matrix4d::Zero();  ///< K_1 [1/s^2]
+  Eigen::Matrix4d rate_gain = Eigen::Matrix4d::Zero();   ///< K_2 [1/s]
+  Eigen::Matrix4d input_gain =
+      Eigen::Matrix4d::Zero();  ///< D, stands where an inertia would [kg, kg m, kg m, kg m^2]
+  Matrix8d weight = Matrix8d::Zero();  ///< Q
+  Eigen::Vector4d leak =
+      Eigen::Vector4d::Zero();  ///< alpha_0 .. alpha_3 [1/s], each > varrho / 2 (eq. alpha)
+  double gamma_drive = 0.0;     ///< epsilon, > 0
+  double zeta_drive = 0.0;      ///< bar-epsilon, > 0
+  Eigen::Vector4d initial_theta =
+      Eigen::Vector4d::Zero();  ///< theta-hat_0 .. theta-hat_3 at the start, > 0 (eq. init)
+  double initial_zeta = 0.0;    ///< bar-zeta, > bar-epsilon
+  double initial_gamma = 0.0;   ///< bar-gamma, > epsilon
 };
 
 /// The Lyapunov equation of a subsystem, solved.
 struct SubsystemLyapunov {
-  Matrix8d P;  ///< of A'P + P A = -Q with A = [0 I; -K_1 -K_2]
+  Matrix8d P = Matrix8d::Zero();  ///< of A'P + P A = -Q with A = [0 I; -K_1 -K_2]
   LyapunovSpectrum spectrum;
 };
 /// Throws std::domain_error when there is no positive definite P.
@@ -40,9 +43,9 @@ SubsystemLyapunov solveSubsystem(const SubsystemParameters& parameters);
 
 /// What a subsystem has learned.
 struct SubsystemGains {
-  Eigen::Vector4d theta;  ///< theta-hat_0 .. theta-hat_3, >= 0
-  double zeta;            ///< in (0, bar-zeta]
-  double gamma;           ///< in (0, bar-gamma]
+  Eigen::Vector4d theta = Eigen::Vector4d::Zero();  ///< theta-hat_0 .. theta-hat_3, >= 0
+  double zeta = 0.0;                                ///< in (0, bar-zeta]
+  double gamma = 0.0;                               ///< in (0, bar-gamma]
 };
 
 /// What the law is fed with in one step.
