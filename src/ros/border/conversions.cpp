@@ -8,13 +8,26 @@
 namespace aqc {
 namespace {
 
-[[noreturn]] void refusePoint(std::size_t index, const std::string& problem) {
-  throw std::invalid_argument("set point " + std::to_string(index) + " " + problem);
+[[noreturn]] void refuse(const std::string& name, const std::string& problem) {
+  throw std::invalid_argument(name + " " + problem);
+}
+
+std::string nameOf(std::size_t index) {
+  return "set point " + std::to_string(index);
+}
+
+// The set point of that name, whose other numbers are there, with the yaw of a rotation.
+SetPoint withYaw(SetPoint set_point, const geometry_msgs::Quaternion& orientation,
+                 const std::string& name) {
+  const Eigen::Quaterniond rotation = toEigen(orientation);
+  if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) refuse(name, "has no unit quaternion");
+  set_point.yaw = rollPitchYaw(rotation.normalized()).z();
+  if (!set_point.valid()) refuse(name, "has a number that is not finite");
+  return set_point;
 }
 
 SetPoint toSetPoint(const trajectory_msgs::MultiDOFJointTrajectoryPoint& point, std::size_t index) {
-  if (point.transforms.empty()) refusePoint(index, "has no transform");
-  const Eigen::Quaterniond rotation = toEigen(point.transforms.front().rotation);
+  if (point.transforms.empty()) refuse(nameOf(index), "has no transform");
   SetPoint set_point;
   set_point.position = toEigen(point.transforms.front().translation);
   if (!point.velocities.empty()) {
@@ -25,10 +38,7 @@ SetPoint toSetPoint(const trajectory_msgs::MultiDOFJointTrajectoryPoint& point, 
     set_point.acceleration = toEigen(point.accelerations.front().linear);
     set_point.yaw_acceleration = point.accelerations.front().angular.z;
   }
-  if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) refusePoint(index, "has no unit quaternion");
-  set_point.yaw = rollPitchYaw(rotation.normalized()).z();
-  if (!set_point.valid()) refusePoint(index, "has a number that is not finite");
-  return set_point;
+  return withYaw(set_point, point.transforms.front().rotation, nameOf(index));
 }
 
 // What one step of a path may take at most to count as sampled from it [s].
@@ -46,7 +56,7 @@ void differentiate(const trajectory_msgs::MultiDOFJointTrajectory& trajectory,
     SetPoint& set_point = set_points[i].set_point;
     const SetPoint& next = set_points[i + 1].set_point;
     set_point.jerk = (next.acceleration - set_point.acceleration) / interval;
-    if (!set_point.valid()) refusePoint(i, "has an acceleration too far from the next one's");
+    if (!set_point.valid()) refuse(nameOf(i), "has an acceleration too far from the next one's");
   }
 }
 
@@ -122,7 +132,7 @@ std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTraje
   set_points.reserve(trajectory.points.size());
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     const Nanoseconds time = begin + trajectory.points[i].time_from_start.toNSec();
-    if (i > 0 && time < set_points.back().time) refusePoint(i, "is earlier than the one before");
+    if (i > 0 && time < set_points.back().time) refuse(nameOf(i), "is earlier than the one before");
     set_points.push_back({time, toSetPoint(trajectory.points[i], i)});
   }
   differentiate(trajectory, set_points);
@@ -153,12 +163,10 @@ trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSet
   return trajectory;
 }
 
-SetPoint toSetPoint(const geometry_msgs::Pose& pose) {
-  trajectory_msgs::MultiDOFJointTrajectoryPoint point;
-  point.transforms.resize(1);
-  point.transforms[0].translation = toVector3(toEigen(pose.position));
-  point.transforms[0].rotation = pose.orientation;
-  return toSetPoint(point, 0);
+SetPoint toSetPoint(const geometry_msgs::Pose& pose, const std::string& name) {
+  SetPoint set_point;
+  set_point.position = toEigen(pose.position);
+  return withYaw(set_point, pose.orientation, name);
 }
 
 void fill(const FlightSample& sample, msgs::ControllerState& message) {

@@ -9,12 +9,14 @@
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "adaptive_quadrotor_control/ControllerState.h"
 #include "adaptive_quadrotor_control/PlantStatus.h"
 #include "adaptive_quadrotor_control/flight/flight_sample.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
+#include "ros/border/names.h"
 
 // The border between ROS messages and the core: every conversion happens here and only once.
 
@@ -22,9 +24,6 @@ namespace aqc {
 
 // Message and service types; some share their name with a type of the core.
 namespace msgs = ::adaptive_quadrotor_control;
-
-constexpr const char* kWorldFrame = "world";     ///< W
-constexpr const char* kBodyFrame = "base_link";  ///< B
 
 inline Nanoseconds toNanoseconds(const ros::Time& time) {
   return static_cast<Nanoseconds>(time.toNSec());
@@ -55,8 +54,8 @@ std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTraje
 trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSetPoint>& set_points,
                                                       Nanoseconds begin);
 
-/// Throws std::invalid_argument as above.
-SetPoint toSetPoint(const geometry_msgs::Pose& pose);
+/// Throws std::invalid_argument, naming the pose, when its rotation is none or a number not finite.
+SetPoint toSetPoint(const geometry_msgs::Pose& pose, const std::string& name = "the pose");
 
 /// What the controller publishes about one step, and back. Truth that only the plant knows
 /// (payload, contact) is not in it.

@@ -4,6 +4,7 @@
 
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "figures/vehicle_urdf.h"
+#include "ros/border/names.h"
 #include "ros/border/parameter_tree.h"
 #include "ros/border/run_node.h"
 
@@ -32,10 +33,10 @@ DisplayNode::DisplayNode() : vehicle_(readParameters(node_, "vehicle", readVehic
   vehicle_publisher_ = node_.advertise<visualization_msgs::MarkerArray>("display/vehicle", 2);
   path_publisher_ = node_.advertise<visualization_msgs::MarkerArray>("display/paths", 2, true);
   subscribers_ = {
-      node_.subscribe("controller/state", 10, &DisplayNode::onState, this),
+      node_.subscribe(kStateTopic, 10, &DisplayNode::onState, this),
       node_.subscribe<msgs::PlantStatus>(
-          "plant/status", 1, [this](const msgs::PlantStatus::ConstPtr& m) { status_ = m; }),
-      node_.subscribe("command/trajectory", 10, &DisplayNode::onTrajectory, this)};
+          kStatusTopic, 1, [this](const msgs::PlantStatus::ConstPtr& m) { status_ = m; }),
+      node_.subscribe(kTrajectoryTopic, 10, &DisplayNode::onTrajectory, this)};
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / rate), &DisplayNode::onTimer, this);
 }
 

@@ -9,6 +9,7 @@
 #include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "ros/border/names.h"
 #include "ros/border/parameter_tree.h"
 #include "ros/border/plant_services.h"
 #include "ros/border/run_node.h"
@@ -40,14 +41,14 @@ GoalNode::GoalNode() : vehicle_(readParameters(node_, "vehicle", readVehicle)) {
   limits_.thrust_to_weight = 1.5;
   if (node_.hasParam("scenario")) start_ = readParameters(node_, "scenario", readWorldAlone).start;
 
-  pose_publisher_ = node_.advertise<geometry_msgs::PoseStamped>("command/pose", 10);
+  pose_publisher_ = node_.advertise<geometry_msgs::PoseStamped>(kPoseTopic, 10);
   trajectory_publisher_ =
-      node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("command/trajectory", 1);
+      node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>(kTrajectoryTopic, 1);
   subscribers_ = {
       node_.subscribe<msgs::ControllerState>(
-          "controller/state", 1, [this](const msgs::ControllerState::ConstPtr& m) { state_ = m; }),
+          kStateTopic, 1, [this](const msgs::ControllerState::ConstPtr& m) { state_ = m; }),
       node_.subscribe<msgs::PlantStatus>(
-          "plant/status", 1, [this](const msgs::PlantStatus::ConstPtr& m) { status_ = m; }),
+          kStatusTopic, 1, [this](const msgs::PlantStatus::ConstPtr& m) { status_ = m; }),
       node_.subscribe("move_base_simple/goal", 1, &GoalNode::onNavGoal, this)};
   addMenu();
   timer_ = node_.createWallTimer(ros::WallDuration(kRefresh), &GoalNode::onTimer, this);
@@ -121,7 +122,7 @@ void GoalNode::command(const geometry_msgs::Pose& pose) {
 template <class Service>
 bool GoalNode::callPlant(const std::string& name, Service& service) {
   try {
-    callService(node_, "plant/" + name, ros::WallDuration(kPatience), service);
+    callService(node_, kPlantServices + name, ros::WallDuration(kPatience), service);
     return true;
   } catch (const std::runtime_error& error) {
     ROS_WARN("%s", error.what());

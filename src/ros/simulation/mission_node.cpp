@@ -9,6 +9,7 @@
 
 #include "adaptive_quadrotor_control/ActiveSubsystem.h"
 #include "report/progress_bar.h"
+#include "ros/border/names.h"
 #include "ros/border/parameter_tree.h"
 #include "ros/border/plant_services.h"
 #include "ros/border/service_call.h"
@@ -29,12 +30,12 @@ MissionNode::MissionNode() {
   scenario_ = readParameters(node_, "scenario", readScenario);
   const auto fast = ros::TransportHints().tcpNoDelay();
   trajectory_publisher_ =
-      node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("command/trajectory", 1, true);
+      node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>(kTrajectoryTopic, 1, true);
   switch_publisher_ =
-      node_.advertise<msgs::ActiveSubsystem>("active_subsystem", SwitchSchedule::kMost);
+      node_.advertise<msgs::ActiveSubsystem>(kSubsystemTopic, SwitchSchedule::kMost);
   // Unlimited queues: a lock-stepped flight outruns this node, and no sample may be missing.
-  state_subscriber_ = node_.subscribe("controller/state", 0, &MissionNode::onState, this, fast);
-  status_subscriber_ = node_.subscribe("plant/status", 0, &MissionNode::onStatus, this, fast);
+  state_subscriber_ = node_.subscribe(kStateTopic, 0, &MissionNode::onState, this, fast);
+  status_subscriber_ = node_.subscribe(kStatusTopic, 0, &MissionNode::onStatus, this, fast);
 }
 
 void MissionNode::onState(const msgs::ControllerState::ConstPtr& message) {
@@ -117,7 +118,7 @@ void MissionNode::sendEvents() {
 
 template <class Service>
 void MissionNode::callPlant(const std::string& name, Service& service) {
-  callService(node_, "plant/" + name, ros::WallDuration(kPatience), service);
+  callService(node_, kPlantServices + name, ros::WallDuration(kPatience), service);
 }
 
 void MissionNode::resume() {

@@ -9,6 +9,7 @@
 
 #include "adaptive_quadrotor_control/PlantStatus.h"
 #include "ros/border/conversions.h"
+#include "ros/border/names.h"
 #include "ros/border/parameter_tree.h"
 #include "ros/border/run_node.h"
 
@@ -46,13 +47,13 @@ PlantNode::PlantNode()
     own.refuse("real_time_factor", "other than 1 needs /use_sim_time to be true");
   }
 
-  odometry_publisher_ = node_.advertise<nav_msgs::Odometry>("odometry", 100);
-  imu_publisher_ = node_.advertise<sensor_msgs::Imu>("imu", 100);
+  odometry_publisher_ = node_.advertise<nav_msgs::Odometry>(kOdometryTopic, 100);
+  imu_publisher_ = node_.advertise<sensor_msgs::Imu>(kImuTopic, 100);
   status_publisher_ = private_node_.advertise<msgs::PlantStatus>("status", 10000);
   if (simulated_time_) clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1000);
   restart(simulated_time_ ? kClockStart : toNanoseconds(ros::Time::now()));
 
-  command_subscriber_ = node_.subscribe("command/motor_speed", 100, &PlantNode::onCommand, this,
+  command_subscriber_ = node_.subscribe(kMotorSpeedTopic, 100, &PlantNode::onCommand, this,
                                         ros::TransportHints().tcpNoDelay());
   services_ = {serve<AttachPayload>(),
                serve<DetachPayload>(),

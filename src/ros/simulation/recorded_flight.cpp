@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "ros/border/conversions.h"
+#include "ros/border/names.h"
 
 namespace aqc {
 namespace {
@@ -24,9 +25,9 @@ class Reader {
  public:
   void add(const rosbag::MessageInstance& message) {
     const std::string& topic = message.getTopic();
-    if (endsWith(topic, "controller/state")) {
+    if (endsWith(topic, kStateTopic)) {
       if (const auto state = message.instantiate<msgs::ControllerState>()) addState(*state);
-    } else if (endsWith(topic, "plant/status")) {
+    } else if (endsWith(topic, kStatusTopic)) {
       const auto status = message.instantiate<msgs::PlantStatus>();
       if (status) truth_[toNanoseconds(status->header.stamp)] = status;
     } else if (endsWith(topic, "controller/parameters")) {

@@ -7,6 +7,7 @@
 
 #include "adaptive_quadrotor_control/reference/braking.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
+#include "ros/border/names.h"
 #include "ros/border/parameter_tree.h"
 #include "ros/border/run_node.h"
 
@@ -33,17 +34,16 @@ WaypointNode::WaypointNode() {
   own.finish();
 
   trajectory_publisher_ =
-      node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>("command/trajectory", 1);
+      node_.advertise<trajectory_msgs::MultiDOFJointTrajectory>(kTrajectoryTopic, 1);
   progress_publisher_ = private_node_.advertise<msgs::PathProgress>("progress", 10, true);
   const auto fast = ros::TransportHints().tcpNoDelay();
   subscribers_ = {
       node_.subscribe("waypoints", 10, &WaypointNode::onPath, this, fast),
       node_.subscribe<nav_msgs::Odometry>(
-          "odometry", 1, [this](const nav_msgs::Odometry::ConstPtr& m) { odometry_ = m; },
+          kOdometryTopic, 1, [this](const nav_msgs::Odometry::ConstPtr& m) { odometry_ = m; },
           ros::VoidConstPtr(), fast),
       node_.subscribe<msgs::ControllerState>(
-          "controller/state", 1,
-          [this](const msgs::ControllerState::ConstPtr& m) { controller_ = m; },
+          kStateTopic, 1, [this](const msgs::ControllerState::ConstPtr& m) { controller_ = m; },
           ros::VoidConstPtr(), fast)};
   services_ = {private_node_.advertiseService("fly_path", &WaypointNode::onFlyPath, this),
                private_node_.advertiseService("cancel", &WaypointNode::onCancel, this)};
@@ -60,7 +60,7 @@ Waypoint WaypointNode::presentWaypoint() const {
     present.acceleration = withYaw(toEigen(controller_->desired_acceleration), 0.0);
   } else if (odometry_) {
     present.position = toEigen(odometry_->pose.pose.position);
-    present.yaw = toSetPoint(odometry_->pose.pose).yaw;
+    present.yaw = toSetPoint(odometry_->pose.pose, "the odometry").yaw;
   } else {
     throw std::invalid_argument("no odometry has arrived yet; where to begin is unknown");
   }
@@ -85,14 +85,10 @@ std::vector<Waypoint> WaypointNode::toWaypoints(const nav_msgs::Path& path) cons
   for (std::size_t i = 0; i < path.poses.size(); ++i) {
     geometry_msgs::Pose pose = path.poses[i].pose;
     if (transform) tf2::doTransform(pose, pose, to_world);
-    try {
-      const SetPoint set_point = toSetPoint(pose);
-      waypoints.emplace_back();
-      waypoints.back().position = set_point.position;
-      waypoints.back().yaw = set_point.yaw;
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("pose " + std::to_string(i) + " of the path: " + error.what());
-    }
+    const SetPoint set_point = toSetPoint(pose, "pose " + std::to_string(i) + " of the path");
+    waypoints.emplace_back();
+    waypoints.back().position = set_point.position;
+    waypoints.back().yaw = set_point.yaw;
   }
   return waypoints;
 }
