@@ -60,13 +60,14 @@ void ControllerNodelet::configure() {
 void ControllerNodelet::connect() {
   ros::NodeHandle& node = getNodeHandle();
   // A simulation may run far ahead of the wall clock: nothing may be lost in a queue on the way.
-  motor_publisher_ = node.advertise<msgs::Actuators>("command/motor_speed", 100);
+  motor_publisher_ = node.advertise<msgs::Actuators>(kMotorSpeedTopic, 100);
   state_publisher_ = getPrivateNodeHandle().advertise<msgs::ControllerState>("state", 10000);
   const auto fast = ros::TransportHints().tcpNoDelay();
-  odometry_subscriber_ = node.subscribe("odometry", 10, &ControllerNodelet::onOdometry, this, fast);
+  odometry_subscriber_ =
+      node.subscribe(kOdometryTopic, 10, &ControllerNodelet::onOdometry, this, fast);
   trajectory_subscriber_ =
-      node.subscribe("command/trajectory", 10, &ControllerNodelet::onTrajectory, this, fast);
-  pose_subscriber_ = node.subscribe("command/pose", 10, &ControllerNodelet::onPose, this, fast);
+      node.subscribe(kTrajectoryTopic, 10, &ControllerNodelet::onTrajectory, this, fast);
+  pose_subscriber_ = node.subscribe(kPoseTopic, 10, &ControllerNodelet::onPose, this, fast);
   connectLaw();
   const bool by_timer = pilot_->stepClock().trigger() == StepClock::Trigger::kTimer;
   const Nanoseconds period = pilot_->stepClock().period();
@@ -88,13 +89,14 @@ void ControllerNodelet::connectLaw() {
   } else if (!order_subscriber_) {
     NODELET_INFO("%d subsystems, %d active; %s", subsystems->count(), subsystems->active(),
                  subsystems->text().c_str());
-    order_subscriber_ = getNodeHandle().subscribe("active_subsystem", SwitchSchedule::kMost,
+    order_subscriber_ = getNodeHandle().subscribe(kSubsystemTopic, SwitchSchedule::kMost,
                                                   &ControllerNodelet::onOrder, this, fast);
   }
   if (!pilot_->law().usesSpecificForce()) {
     imu_subscriber_.shutdown();
   } else if (!imu_subscriber_) {
-    imu_subscriber_ = getNodeHandle().subscribe("imu", 10, &ControllerNodelet::onImu, this, fast);
+    imu_subscriber_ =
+        getNodeHandle().subscribe(kImuTopic, 10, &ControllerNodelet::onImu, this, fast);
   }
 }
 
