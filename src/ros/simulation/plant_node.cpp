@@ -18,10 +18,10 @@ namespace {
 
 // The simulated clock begins here: ROS takes zero for "no time yet".
 constexpr Nanoseconds kClockStart = 1'000'000'000;
-// Without an answer for this long, odometry is sent again: a controller that (re)starts needs it.
-constexpr double kRepeatAfter = 0.2;  // [s], wall
-// A real-time run that fell behind further than this gives the time up rather than racing after it.
-constexpr double kLongestBacklog = 0.2;  // [s], wall
+
+Nanoseconds steadyNow() {
+  return static_cast<Nanoseconds>(ros::SteadyTime::now().toNSec());
+}
 
 // For a service callback to return: it was called in order, and the answer is no.
 template <class Response>
@@ -37,13 +37,15 @@ PlantNode::PlantNode()
     : vehicle_(readParameters(node_, "vehicle", readVehicle)),
       world_(readParameters(node_, "scenario", readWorldAlone)) {
   const ParameterReader own = parameterReader(private_node_, "");
-  lock_step_ = own.flag("lock_step", false);
-  real_time_factor_ = own.number("real_time_factor", Range::positiveUpTo(1000.0), 1.0);
-  paused_ = own.flag("start_paused", false);
+  Pacer::Pace pace;
+  pace.period = world_.control_period;
+  pace.lock_step = own.flag("lock_step", false);
+  pace.real_time_factor = own.number("real_time_factor", Range::positiveUpTo(1000.0), 1.0);
+  pace.paused = own.flag("start_paused", false);
   own.finish();
   simulated_time_ = node_.param("/use_sim_time", false);
-  if (lock_step_ && !simulated_time_) own.refuse("lock_step", "needs /use_sim_time to be true");
-  if (real_time_factor_ != 1.0 && !simulated_time_) {
+  if (pace.lock_step && !simulated_time_) own.refuse("lock_step", "needs /use_sim_time to be true");
+  if (pace.real_time_factor != 1.0 && !simulated_time_) {
     own.refuse("real_time_factor", "other than 1 needs /use_sim_time to be true");
   }
 
@@ -51,7 +53,9 @@ PlantNode::PlantNode()
   imu_publisher_ = node_.advertise<sensor_msgs::Imu>(kImuTopic, 100);
   status_publisher_ = private_node_.advertise<msgs::PlantStatus>("status", 10000);
   if (simulated_time_) clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1000);
-  restart(simulated_time_ ? kClockStart : toNanoseconds(ros::Time::now()));
+  const Nanoseconds start = simulated_time_ ? kClockStart : toNanoseconds(ros::Time::now());
+  pacer_.emplace(pace, steadyNow(), start);
+  restart(start);
 
   command_subscriber_ = node_.subscribe(kMotorSpeedTopic, 100, &PlantNode::onCommand, this,
                                         ros::TransportHints().tcpNoDelay());
@@ -62,9 +66,8 @@ PlantNode::PlantNode()
                serve<ApplyDisturbance>(),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
-  const double period = toSeconds(world_.control_period) / real_time_factor_;
-  timer_ = node_.createWallTimer(ros::WallDuration(lock_step_ ? kRepeatAfter / 4 : period),
-                                 &PlantNode::onWallTimer, this);
+  timer_ = node_.createSteadyTimer(ros::WallDuration(toSeconds(pacer_->interval())),
+                                   &PlantNode::onSteadyTimer, this);
   publish();
 }
 
@@ -72,8 +75,7 @@ void PlantNode::restart(Nanoseconds start) {
   plant_ = std::make_unique<TimedPlant>(makePlant(vehicle_, world_), world_.cargo,
                                         world_.plant_step, start);
   command_ = RotorArray::Zero(static_cast<Eigen::Index>(vehicle_.rotors.size()));
-  wall_start_ = last_progress_ = ros::WallTime::now();
-  run_start_ = start;
+  pacer_->restart(steadyNow(), start);
 }
 
 void PlantNode::onCommand(const msgs::Actuators::ConstPtr& message) {
@@ -83,28 +85,15 @@ void PlantNode::onCommand(const msgs::Actuators::ConstPtr& message) {
                       message->angular_velocities.size(), rotors);
     return;
   }
-  const bool answers_now = toNanoseconds(message->header.stamp) == plant_->now();
-  if (paused_ || (lock_step_ && !answers_now)) return;
+  if (!pacer_->takes(toNanoseconds(message->header.stamp), plant_->now())) return;
   command_ = Eigen::Map<const Eigen::VectorXd>(message->angular_velocities.data(), command_.size());
-  if (lock_step_) advance();
+  if (pacer_->lockStep()) advance();
 }
 
-void PlantNode::onWallTimer(const ros::WallTimerEvent&) {
-  const ros::WallTime now = ros::WallTime::now();
-  if (paused_ || lock_step_) {
-    if ((now - last_progress_).toSec() > kRepeatAfter) publish();
-    return;
-  }
-  double behind =
-      (now - wall_start_).toSec() * real_time_factor_ - toSeconds(plant_->now() - run_start_);
-  if (behind > kLongestBacklog * real_time_factor_) {
-    wall_start_ = now;
-    run_start_ = plant_->now();
-    behind = toSeconds(world_.control_period);
-  }
-  for (; behind >= toSeconds(world_.control_period); behind -= toSeconds(world_.control_period)) {
-    advance();
-  }
+void PlantNode::onSteadyTimer(const ros::SteadyTimerEvent&) {
+  const Nanoseconds now = steadyNow();
+  if (pacer_->repeats(now)) publish();
+  for (int due = pacer_->due(now, plant_->now()); due > 0; --due) advance();
 }
 
 void PlantNode::advance() {
@@ -113,8 +102,8 @@ void PlantNode::advance() {
 }
 
 void PlantNode::publish() {
-  last_progress_ = ros::WallTime::now();
-  const Nanoseconds time = plant_->now() - (paused_ ? world_.control_period : 0);
+  pacer_->published(steadyNow());
+  const Nanoseconds time = plant_->now() - (pacer_->paused() ? world_.control_period : 0);
   const ros::Time stamp = toRosTime(time);
   if (simulated_time_) {
     rosgraph_msgs::Clock clock;
@@ -159,7 +148,7 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   const Plant& plant = plant_->plant();
   msgs::PlantStatus status;
   status.header.stamp = stamp;
-  status.paused = paused_;
+  status.paused = pacer_->paused();
   status.touching = plant.touching();
   status.crashed = plant_->crashTime().has_value();
   status.crash_reason = toString(plant.crash());
@@ -223,14 +212,11 @@ bool PlantNode::onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response
 }
 
 bool PlantNode::onResume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  response.success = paused_;
-  if (!paused_) {
+  response.success = pacer_->resume(steadyNow(), plant_->now());
+  if (!response.success) {
     response.message = "the simulation is running already";
     return true;
   }
-  paused_ = false;
-  wall_start_ = ros::WallTime::now();
-  run_start_ = plant_->now();
   publish();
   return true;
 }

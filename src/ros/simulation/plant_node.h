@@ -5,8 +5,10 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <memory>
+#include <optional>
 
 #include "adaptive_quadrotor_control/Actuators.h"
+#include "adaptive_quadrotor_control/simulation/pacer.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 #include "ros/border/conversions.h"
@@ -33,7 +35,7 @@ class PlantNode {
 
  private:
   void onCommand(const msgs::Actuators::ConstPtr& message);
-  void onWallTimer(const ros::WallTimerEvent& event);
+  void onSteadyTimer(const ros::SteadyTimerEvent& event);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onResume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
@@ -54,15 +56,10 @@ class PlantNode {
   ros::NodeHandle private_node_{"~"};
   Vehicle vehicle_;
   World world_;
-  bool lock_step_;
-  double real_time_factor_;
   bool simulated_time_;
-  bool paused_;
+  std::optional<Pacer> pacer_;  // set by the constructor
   std::unique_ptr<TimedPlant> plant_;
   RotorArray command_;
-  ros::WallTime last_progress_;
-  ros::WallTime wall_start_;   // of the real-time run, and
-  Nanoseconds run_start_ = 0;  // what the clock read then
 
   ros::Publisher odometry_publisher_;
   ros::Publisher imu_publisher_;
@@ -72,7 +69,7 @@ class PlantNode {
   ros::Time transform_stamp_;  // last sent
   ros::Subscriber command_subscriber_;
   std::vector<ros::ServiceServer> services_;
-  ros::WallTimer timer_;
+  ros::SteadyTimer timer_;
 };
 
 }  // namespace aqc

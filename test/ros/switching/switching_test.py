@@ -44,7 +44,7 @@ class Switching(unittest.TestCase):
         cls.uav.wait('the IMU', lambda: not cls.uav.state.imu_lost)
         cls.uav.go(0, 0, 2)
         rospy.ServiceProxy('/uav/plant/resume', Trigger)()
-        cls.uav.wait('the height', lambda: abs(cls.uav.state.position.z - 2.0) < 0.05)
+        cls.uav.wait('the height', lambda: abs(cls.uav.state.position.z - 2.0) < 0.1)
         cls.uav.sleep(5.0)
 
     def setUp(self):
