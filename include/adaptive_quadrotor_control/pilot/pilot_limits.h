@@ -2,6 +2,7 @@
 
 #include "adaptive_quadrotor_control/pilot/flight_monitor.h"
 #include "adaptive_quadrotor_control/pilot/handover.h"
+#include "adaptive_quadrotor_control/pilot/imu_monitor.h"
 #include "adaptive_quadrotor_control/pilot/step_clock.h"
 
 namespace aqc {
@@ -12,7 +13,7 @@ class ParameterReader;
 struct PilotLimits {
   ClockLimits clock;  ///< of the odometry's stamps
   /// The specific force is not used when it is further behind the odometry [ns].
-  Nanoseconds specific_force_age = 100'000'000;
+  Nanoseconds specific_force_age = ImuMonitor::kOldest;
   /// A trajectory stamped further back was not meant for now by its clock: it begins now, as one
   /// without a stamp does [ns].
   Nanoseconds trajectory_age = 1'000'000'000;
