@@ -144,7 +144,21 @@ TEST_F(FlightMonitorTest, SeesAVehicleThatDoesNotFollow) {
 
 TEST_F(FlightMonitorTest, TellsTheRateOfAHealthyLoop) {
   fly();
-  EXPECT_EQ(judge("Control loop").reason, "runs at 250.0 Hz");
+  const Finding finding = judge("Control loop");
+  EXPECT_EQ(finding.reason, "runs at 250.0 Hz");
+  ASSERT_EQ(finding.values.size(), 3u);
+  EXPECT_EQ(finding.values[2].second, "4.00") << "the longest step [ms]";
+}
+
+TEST_F(FlightMonitorTest, JudgesTheShareOfOdometryThatWasRefused) {
+  fly();
+  monitor_.countDroppedOdometry();
+  expect(judge("Messages"), Health::kWarn, "1 of odometry");
+}
+
+TEST_F(FlightMonitorTest, WeighsNothingThatStandsStill) {
+  monitor_.countStep(now_, false, telemetry_, false);
+  EXPECT_EQ(judge("Payload").reason, "nothing is lifted");
 }
 
 }  // namespace

@@ -119,6 +119,18 @@ TEST_F(PilotTest, BeginsAnewWithAClockThatDoes) {
             test::lawNamed("asmc", vehicle_)->telemetry().mass_estimate);
 }
 
+TEST_F(PilotTest, ForgetsTheLastObjectionWithTheClock) {
+  PilotLimits limits;
+  limits.clock = {2'000'000'000, 1};
+  Pilot pilot = make("switched", StepClock::Trigger::kOdometry, limits);
+  pilot.order({kStart, 9});
+  pilot.hear(at(1.0), kStart, kStart);
+  ASSERT_TRUE(pilot.lastObjection());
+  const Nanoseconds old = kStart - 5'000'000'000;
+  ASSERT_TRUE(pilot.hear(at(1.0), old, old).began_anew);
+  EXPECT_FALSE(pilot.lastObjection());
+}
+
 TEST_F(PilotTest, WaitsForTheSampleThatGoesWithTheOdometry) {
   Pilot pilot = make("switched");
   pilot.plan(climb(kStart), kStart, kStart);
@@ -223,6 +235,10 @@ TEST_F(PilotTest, TellsTheLawHowOldItsSensesAre) {
   EXPECT_DOUBLE_EQ(heard.ages.specific_force, 0.003);
   ASSERT_TRUE(heard.specific_force);
   EXPECT_EQ(*heard.specific_force, kAtRest);
+  const Nanoseconds later = kStart + 1'000'000'000;
+  pilot.hear(at(1.0), later, later);
+  pilot.tick(later);
+  EXPECT_FALSE(heard.specific_force) << "the sample has become too old";
 }
 
 TEST_F(PilotTest, HearsAndTicksWithoutTheHeap) {

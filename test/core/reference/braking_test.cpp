@@ -47,6 +47,12 @@ TEST(Braking, KeepsTheLimitsAndUsesOne) {
   EXPECT_GT(worstUse(trajectory, kLimits, kSteps), 0.9);
 }
 
+TEST(Braking, TakesNoMoreThanThePresentMotionBeyondALimit) {
+  const Waypoint present = moving({5.0, 0.0, 0.0, 0.0}, {-6.5, 0.0, 0.0, 0.0});
+  const PolynomialTrajectory trajectory = brakeWithin(present, {50.0, 6.0, 1.4, 20.0});
+  EXPECT_LE(worstUse(trajectory, {50.0, 6.5, 1.4, 20.0}, kSteps), 1.0 + 1e-5);
+}
+
 TEST(Braking, StopsWhereLeastSnapLeavesIt) {
   const Waypoint present = moving({3.0, -2.0, 1.0, 0.4}, {0.5, 0.3, -0.2, 0.0});
   const PolynomialTrajectory trajectory = brakeWithin(present, kLimits);

@@ -55,6 +55,13 @@ TEST(TimeAllocation, EstimateIsExactForOneStraightSegment) {
   EXPECT_NEAR(requiredStretch(minimumSnap(waypoints, durations), by_acceleration), 1.0, 1e-6);
 }
 
+TEST(TimeAllocation, EstimateLeavesThrustForTheWeight) {
+  const MotionLimits by_thrust{100.0, 100.0, 1.5, 1.2};
+  const double acceleration = 0.2 * kGravity;
+  EXPECT_NEAR(estimateDurations({at(0, 0, 0), at(0, 0, 10)}, by_thrust)[0],
+              std::sqrt(84.0 / (5.0 * std::sqrt(5.0)) * 10.0 / acceleration), 1e-9);
+}
+
 TEST(TimeAllocation, FallingFasterThanGravityIsTiltBeyondTheLimit) {
   // Straight down the tilt is zero up to free fall and half a turn beyond it.
   const MotionLimits limits{100.0, 100.0, 0.5, 20.0};

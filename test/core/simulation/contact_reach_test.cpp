@@ -105,6 +105,14 @@ TEST(Reach, KnowsWhatLiesAndWhatHangs) {
   EXPECT_FALSE(plant.knows("rod"));
 }
 
+TEST(DroppedCargo, FallsAsAStoneDoes) {
+  Cargo cargo = lying("box", 0.0);
+  cargo.position.z() = 10.0;
+  cargo.fall(1.0, true);
+  EXPECT_NEAR(cargo.position.z(), 10.0 - 0.5 * kGravity, 1e-9);
+  EXPECT_NEAR(cargo.velocity.z(), -kGravity, 1e-9);
+}
+
 TEST(DroppedCargo, LiesOnItsLowerFace) {
   Cargo cargo = lying("box", 0.0);
   cargo.position.z() = 1.0;

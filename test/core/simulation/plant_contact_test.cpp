@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "adaptive_quadrotor_control/simulation/rigid_plant.h"
@@ -126,6 +127,25 @@ TEST(PlantContact, AFallFromAMetreIsAHardImpact) {
   RigidPlant plant(test::pelican(), at(1.0));
   EXPECT_EQ(crashOf(plant), Crash::kHardImpact);
   EXPECT_STREQ(toString(plant.crash()), "hard impact");
+}
+
+// The foot in front comes down faster or slower than the vehicle, as that pitches.
+TEST(PlantContact, AnImpactIsThatOfTheFoot) {
+  for (const bool down : {true, false}) {
+    State start = tilted(0.0, 0.0);
+    const Vehicle vehicle = test::pelican();
+    const double pitch = 0.2;
+    start.attitude = Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY());
+    double front = 0.0;
+    for (const Eigen::Vector2d& foot : vehicle.feet()) front = std::max(front, foot.x());
+    start.position.z() = vehicle.gear_height * std::cos(pitch) + front * std::sin(pitch);
+    start.velocity.z() = -2.6;
+    start.body_rate.y() = down ? 8.0 : -8.0;
+    RigidPlant plant(vehicle, start);
+    plant.step(off(), 1e-6);
+    ASSERT_TRUE(plant.touching());
+    EXPECT_EQ(plant.crash() == Crash::kHardImpact, down);
+  }
 }
 
 TEST(PlantContact, ARotorOnTheGroundIsARotorStrike) {
