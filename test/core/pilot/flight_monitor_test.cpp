@@ -151,9 +151,12 @@ TEST_F(FlightMonitorTest, TellsTheRateOfAHealthyLoop) {
 }
 
 TEST_F(FlightMonitorTest, JudgesTheShareOfOdometryThatWasRefused) {
-  fly();
-  monitor_.countDroppedOdometry();
-  expect(judge("Messages"), Health::kWarn, "1 of odometry");
+  fly(10);
+  for (int i = 0; i < 10; ++i) monitor_.countDroppedOdometry();
+  expect(judge("Messages"), Health::kWarn, "10 of odometry");
+  fly(10);
+  for (int i = 0; i < 11; ++i) monitor_.countDroppedOdometry();
+  expect(judge("Messages"), Health::kError, "11 of odometry");
 }
 
 TEST_F(FlightMonitorTest, WeighsNothingThatStandsStill) {

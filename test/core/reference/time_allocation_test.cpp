@@ -62,6 +62,12 @@ TEST(TimeAllocation, EstimateLeavesThrustForTheWeight) {
               std::sqrt(84.0 / (5.0 * std::sqrt(5.0)) * 10.0 / acceleration), 1e-9);
 }
 
+TEST(TimeAllocation, EstimateTiltsNoFurtherThanAllowed) {
+  const MotionLimits by_tilt{100.0, 100.0, 0.3, 20.0};
+  EXPECT_NEAR(estimateDurations({at(0, 0, 0), at(10, 0, 0)}, by_tilt)[0],
+              std::sqrt(84.0 / (5.0 * std::sqrt(5.0)) * 10.0 / (kGravity * std::sin(0.3))), 1e-9);
+}
+
 TEST(TimeAllocation, FallingFasterThanGravityIsTiltBeyondTheLimit) {
   // Straight down the tilt is zero up to free fall and half a turn beyond it.
   const MotionLimits limits{100.0, 100.0, 0.5, 20.0};
