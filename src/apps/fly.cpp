@@ -100,7 +100,7 @@ void run(const Options& options) {
   }
   std::cout << flightTable(logs, scenario, vehicle, styleOfStdout()) << std::flush;
   writeFlightFiles(folder, logs);
-  writeFlightSetting(folder, loadYamlFile(scenario_path), loadYamlFile(vehicle_path));
+  writeFlightSetting(folder, loadYamlFile(scenario_path), loadYamlFile(vehicle_path), logs);
   if (!options.json.empty()) writeJson(options.json, logs, scenario);
   if (!options.no_plots) {
     ProgressBar progress("drawing figures");

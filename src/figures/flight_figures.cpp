@@ -161,19 +161,31 @@ class FigureBuilder {
       if (vehicle_.mass > 0.0) figure.key.push_back({"true mass with payload", kTruthStyle});
       figure.panels.push_back(massPanel(*estimator));
     }
-    std::vector<std::string> names;
-    for (const PlottedFlight& flight : flights_) {
-      if (hasSubsystems(flight)) continue;  // its gains have figures of their own
-      for (const std::string& name : flight.log->adaptive_names) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-      }
-    }
-    for (const std::string& name : names) {
-      const Panel panel = panelOf(withUnit(name), name, 1.0, {});
+    for (const AdaptiveQuantity& quantity : adaptiveQuantities()) {
+      const Panel panel = panelOf(withUnit(quantity), quantity.name, 1.0, {});
       if (!panel.curves.empty()) figure.panels.push_back(panel);
     }
     addFlightKeys(figure);
     return figure;
+  }
+
+  // Each name once, with the first unit that a flight tells.
+  std::vector<AdaptiveQuantity> adaptiveQuantities() const {
+    std::vector<AdaptiveQuantity> all;
+    for (const PlottedFlight& flight : flights_) {
+      if (hasSubsystems(flight)) continue;  // its gains have figures of their own
+      for (const AdaptiveQuantity& quantity : flight.log->adaptive_quantities) {
+        const auto same = std::find_if(all.begin(), all.end(), [&](const AdaptiveQuantity& known) {
+          return known.name == quantity.name;
+        });
+        if (same == all.end()) {
+          all.push_back(quantity);
+        } else if (same->unit.empty()) {
+          same->unit = quantity.unit;
+        }
+      }
+    }
+    return all;
   }
 
   static bool estimatesMass(const PlottedFlight& flight) {

@@ -40,6 +40,13 @@ const FlightColumn* PlottedFlight::find(const std::string& name) const {
   return found == columns.end() ? nullptr : &*found;
 }
 
+std::string PlottedFlight::unit(const std::string& adaptive_name) const {
+  for (const AdaptiveQuantity& quantity : log->adaptive_quantities) {
+    if (quantity.name == adaptive_name) return quantity.unit;
+  }
+  return "";
+}
+
 Extent PlottedFlight::extent(const std::string& name) const {
   Extent extent;
   const FlightColumn* column = find(name);
@@ -114,23 +121,8 @@ std::string lineStyle(const std::string& colour, double width) {
   return formatted("lc rgb '%s' lw %g", colour.c_str(), width);
 }
 
-std::string withUnit(const std::string& adaptive_name) {
-  // rho = sum_i K_i ||xi||^i is a force or a moment in asmc; in switched it stands inside D (...),
-  // where the accelerations of z [m/s^2] and of the angles [rad/s^2] stand.
-  static const std::map<std::string, std::string> units = {
-      {"K_p0", "N"},
-      {"K_p1", "N/\u2016\u03be\u2016"},
-      {"K_q0", "N m"},
-      {"K_q1", "N m/\u2016\u03be\u2016"},
-      {"K_q2", "N m/\u2016\u03be\u2016\u00b2"},
-      {"theta_0", "m/s\u00b2"},
-      {"theta_1", "m/s\u00b2/\u2016\u03be\u2016"},
-      {"theta_2", "m/s\u00b2/\u2016\u03be\u2016\u00b2"},
-      {"theta_3", "1"},
-      {"zeta", "m/s\u00b2"},
-      {"gamma", "m/s\u00b2"}};
-  const auto unit = units.find(adaptive_name);
-  return unit == units.end() ? adaptive_name : adaptive_name + " [" + unit->second + "]";
+std::string withUnit(const AdaptiveQuantity& quantity) {
+  return quantity.unit.empty() ? quantity.name : quantity.name + " [" + quantity.unit + "]";
 }
 
 void setRange(Panel& panel, const Extent& range, double scale) {

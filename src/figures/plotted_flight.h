@@ -30,6 +30,9 @@ struct PlottedFlight {
   double end = 0.0;   ///< when it crashed, otherwise its last sample, within the figure [s]
 
   const FlightColumn* find(const std::string& name) const;
+  /// The unit of an adaptive quantity; empty for a count, for one that the flight does not have,
+  /// and where its record does not tell.
+  std::string unit(const std::string& adaptive_name) const;
   /// Of a column until `end`: what lies on the ground afterwards tells nothing.
   Extent extent(const std::string& name) const;
   /// A column against time until `end`: scale * value + offset. Empty without that column.
@@ -52,10 +55,8 @@ std::string paletteColour(std::size_t index);
 /// How gnuplot draws a line.
 std::string lineStyle(const std::string& colour, double width);
 
-/// An adaptive quantity's name with its unit, as an axis or a legend calls it; the bare name of one
-/// that is not known. ||xi|| is the norm of the error and its rate together, a mixture of m and m/s
-/// or of rad and rad/s: docs/tuning.md and docs/switched_control.md.
-std::string withUnit(const std::string& adaptive_name);
+/// A quantity's name with its unit, as an axis or a legend calls it; the bare name of one without.
+std::string withUnit(const AdaptiveQuantity& quantity);
 
 /// The panel's vertical axis: `range` times `scale` with a margin. An empty range changes nothing.
 void setRange(Panel& panel, const Extent& range, double scale);

@@ -27,6 +27,11 @@ std::string gain(const std::string& name, int subsystem) {
   return name + "[" + std::to_string(subsystem) + "]";
 }
 
+// What the figure of a subsystem, whose title counts it, calls one of its gains.
+std::string label(const PlottedFlight& flight, const std::string& name, int subsystem) {
+  return withUnit({name, flight.unit(gain(name, subsystem))});
+}
+
 // A column from a time on to the end.
 Points lineFrom(double from, const PlottedFlight& flight, const std::string& column, double scale) {
   Points line = flight.line(column, scale, 0.0);
@@ -96,13 +101,13 @@ Figure gainsFigure(const PlottedFlight& flight, Figure figure, int subsystem) {
   figure.phases = activePhases(flight, subsystem);
   std::vector<Line> thetas;
   for (const char* name : {"theta_0", "theta_1", "theta_2", "theta_3"}) {
-    thetas.push_back({gain(name, subsystem), withUnit(name)});
+    thetas.push_back({gain(name, subsystem), label(flight, name, subsystem)});
   }
   addPanel(figure, flight, "theta", thetas);
-  addPanel(figure, flight, withUnit("zeta"), {{gain("zeta", subsystem), ""}}, 1.0, 0.0,
-           thetas.size());
-  addPanel(figure, flight, withUnit("gamma"), {{gain("gamma", subsystem), ""}}, 1.0, 0.0,
-           thetas.size() + 1);
+  addPanel(figure, flight, label(flight, "zeta", subsystem), {{gain("zeta", subsystem), ""}}, 1.0,
+           0.0, thetas.size());
+  addPanel(figure, flight, label(flight, "gamma", subsystem), {{gain("gamma", subsystem), ""}}, 1.0,
+           0.0, thetas.size() + 1);
   return figure;
 }
 

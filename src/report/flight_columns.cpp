@@ -204,7 +204,9 @@ FlightLayout layoutOf(const FlightLog& log) {
     return !s.disturbance.force.isZero(0.0) || !s.disturbance.moment.isZero(0.0);
   };
   FlightLayout layout;
-  layout.adaptive_names = log.adaptive_names;
+  for (const AdaptiveQuantity& quantity : log.adaptive_quantities) {
+    layout.adaptive_names.push_back(quantity.name);
+  }
   if (!log.samples.empty()) layout.rotors = log.samples.front().allocation.speeds.size();
   layout.disturbed = std::any_of(log.samples.begin(), log.samples.end(), disturbed);
   return layout;

@@ -68,7 +68,9 @@ class Parser {
     const FlightLayout layout = readHeader(log);
     columns_ = flightColumns(layout);
     checkHeader(log.crash_time.has_value());
-    log.adaptive_names = layout.adaptive_names;
+    for (const std::string& name : layout.adaptive_names) {
+      log.adaptive_quantities.push_back({name, ""});
+    }
     if (lines_.size() < 2) refuse("ends; there must be a line a sample");
     for (line_ = 1; line_ < lines_.size(); ++line_) {
       log.samples.push_back(readSample());

@@ -13,11 +13,12 @@ namespace aqc {
 std::string flightCsv(const FlightLog& log);
 
 /// The flight whose flightCsv() is `text`, bit for bit: samples, names of adaptive quantities and
-/// the crash; not `controller`, `refusals`, `dwell_time` and `real_time_factor`, which the file
-/// does not tell. What belongs to a set point is that of a new sample while none is active. Line
-/// ends may be those of Windows. Throws std::runtime_error, naming `file`, line and column, the
-/// value and what is expected, when a column is missing or unknown, a line has too few or too many
-/// fields, a field is no number, times do not grow or nothing is there.
+/// the crash; not `controller`, the units of adaptive quantities (empty), `refusals`, `dwell_time`
+/// and `real_time_factor`, which the file does not tell. What belongs to a set point is that of a
+/// new sample while none is active. Line ends may be those of Windows. Throws std::runtime_error,
+/// naming `file`, line and column, the value and what is expected, when a column is missing or
+/// unknown, a line has too few or too many fields, a field is no number, times do not grow or
+/// nothing is there.
 FlightLog parseFlightCsv(const std::string& text, const std::string& file);
 
 /// The same from a file; its name is the controller's, as fly writes it. Throws std::runtime_error.

@@ -15,6 +15,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSettingName = "flight.yaml";
+constexpr const char* kUnits = "adaptive_units";  // by controller and name
+
+void readUnits(const ParameterReader& all, FlightLog& log) {
+  if (!all.has(log.controller)) return;
+  const ParameterReader units = all.child(log.controller);
+  for (AdaptiveQuantity& quantity : log.adaptive_quantities) {
+    quantity.unit = units.text(quantity.name, "");
+  }
+}
 
 // What a flight may be called, from the plainest on.
 std::vector<std::string> labels(const Recording& recording) {
@@ -27,10 +36,16 @@ std::vector<std::string> labels(const Recording& recording) {
 }  // namespace
 
 void writeFlightSetting(const std::string& folder, const YAML::Node& scenario,
-                        const YAML::Node& vehicle) {
+                        const YAML::Node& vehicle, const std::vector<FlightLog>& logs) {
   YAML::Node tree;
   tree["scenario"] = scenario;
   tree["vehicle"] = vehicle;
+  for (const FlightLog& log : logs) {
+    for (const AdaptiveQuantity& quantity : log.adaptive_quantities) {
+      if (quantity.unit.empty()) continue;
+      tree[kUnits][log.controller][quantity.name] = quantity.unit;
+    }
+  }
   writeFile(
       (fs::path(folder) / kSettingName).string(),
       "# What was flown; plot_flight reads it beside the CSV files.\n" + YAML::Dump(tree) + "\n");
@@ -45,6 +60,8 @@ Recording readCsvRecording(const std::string& path) {
     const ParameterReader reader(loadYamlFile(setting), setting);
     recording.backdrop = backdropOf(readScenario(reader.child("scenario")));
     recording.vehicle = readVehicle(reader.child("vehicle"));
+    if (reader.has(kUnits)) readUnits(reader.child(kUnits), recording.log);
+    reader.skip(kUnits);  // those of other flights
     reader.finish();
   } else {
     recording.backdrop = backdropOf(recording.log, fs::path(path).stem().string());

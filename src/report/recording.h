@@ -19,14 +19,16 @@ struct Recording {
   Backdrop backdrop;
 };
 
-/// Writes `folder`/flight.yaml, the parameter trees of the scenario and of the vehicle that were
-/// flown: it tells readRecording() what the CSV files beside it do not. Throws std::runtime_error.
+/// Writes `folder`/flight.yaml: the parameter trees of the scenario and of the vehicle that were
+/// flown and, for each of the flights, the units of what its law adapts, by name. It tells
+/// readCsvRecording() what the CSV files beside it do not. Throws std::runtime_error.
 void writeFlightSetting(const std::string& folder, const YAML::Node& scenario,
-                        const YAML::Node& vehicle);
+                        const YAML::Node& vehicle, const std::vector<FlightLog>& logs);
 
-/// A CSV file of fly. Backdrop and vehicle come from the file flight.yaml beside it; without that,
-/// the backdrop is what the samples tell and the vehicle has nothing but its rotors. Throws as
-/// readFlightCsv() does, and ParameterError for a flight.yaml that is wrong.
+/// A CSV file of fly. Backdrop, vehicle and units come from the file flight.yaml beside it; without
+/// that, the backdrop is what the samples tell, the vehicle has nothing but its rotors, and no
+/// adaptive quantity has a unit. A renamed CSV file has no units either: flight.yaml does not know
+/// it. Throws as readFlightCsv() does, and ParameterError for a flight.yaml that is wrong.
 Recording readCsvRecording(const std::string& path);
 
 /// Names each flight (`log.controller`) so that its legend tells it from the others: by its

@@ -36,9 +36,7 @@ FlightLog fly(const Scenario& scenario, const Vehicle& vehicle, const std::strin
   ClosedLoop loop(scenario, vehicle, std::move(law));
   FlightLog log;
   log.controller = controller_name;
-  for (const AdaptiveQuantity& quantity : loop.pilot().law().adaptiveQuantities()) {
-    log.adaptive_names.push_back(quantity.name);
-  }
+  log.adaptive_quantities = loop.pilot().law().adaptiveQuantities();
   if (const SubsystemSwitch* subsystems = loop.pilot().law().subsystems()) {
     log.dwell_time = subsystems->text();
   }

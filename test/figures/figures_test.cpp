@@ -3,23 +3,9 @@
 #include "figures/figure_script.h"
 #include "figures/plotted_flight.h"
 #include "figures/switching_figures.h"
-#include "support/fixtures.h"
 
 namespace aqc {
 namespace {
-
-TEST(Figures, EveryAdaptiveGainHasAUnit) {
-  const Vehicle vehicle = test::pelican();
-  for (const std::string& law : lawNames()) {
-    for (const auto& quantity : test::lawNamed(law, vehicle)->adaptiveQuantities()) {
-      if (quantity.name == "active_subsystem" || quantity.name == "rho") continue;  // no gains
-      const std::string gain = quantity.name.substr(0, quantity.name.find('['));
-      EXPECT_EQ(withUnit(gain), gain + " [" + quantity.unit + "]") << law;
-    }
-  }
-  EXPECT_EQ(withUnit("K_p0"), "K_p0 [N]");
-  EXPECT_EQ(withUnit("of somebody else"), "of somebody else");
-}
 
 TEST(Figures, LawsKeepTheirColoursAndOthersTakeFreeOnes) {
   const auto colours = [](const std::vector<std::string>& names) {
@@ -36,7 +22,7 @@ TEST(Figures, LawsKeepTheirColoursAndOthersTakeFreeOnes) {
 TEST(Figures, SubsystemsAreCountedInWholeNumbers) {
   FlightLog log;
   log.controller = "switched";
-  log.adaptive_names = {"active_subsystem"};
+  log.adaptive_quantities = {{"active_subsystem", ""}};
   for (int i = 0; i < 100; ++i) {
     FlightSample sample;
     sample.time = fromSeconds(0.1 * i);
@@ -53,6 +39,31 @@ TEST(Figures, SubsystemsAreCountedInWholeNumbers) {
   const std::string script = figureScript(figures[0]);
   EXPECT_NE(script.find("set label 200 'active subsystem'"), std::string::npos);
   EXPECT_NE(script.find("set ytics 1\n"), std::string::npos);
+}
+
+TEST(Figures, GainsHaveTheUnitThatTheFlightTells) {
+  EXPECT_EQ(withUnit({"K_p0", "N"}), "K_p0 [N]");
+  EXPECT_EQ(withUnit({"switches", ""}), "switches");
+  FlightLog log;
+  log.adaptive_quantities = {
+      {"active_subsystem", ""}, {"theta_1[1]", "kN"}, {"zeta[1]", "mN"}, {"gamma[1]", ""}};
+  for (int i = 0; i < 60; ++i) {
+    FlightSample sample;
+    sample.time = fromSeconds(0.1 * i);
+    sample.flying = true;
+    sample.telemetry.adaptive = Eigen::Vector4d(1.0, 2.0, 3.0, 4.0);
+    log.samples.push_back(sample);
+  }
+  const PlottedFlight flight = plottedFlight(log, fromSeconds(6.0), paletteColour(0));
+  EXPECT_EQ(flight.unit("zeta[1]"), "mN");
+  EXPECT_EQ(flight.unit("zeta[2]"), "");
+  const std::vector<Figure> figures = switchingFigures(flight, Figure());
+  ASSERT_EQ(figures.size(), 2u);
+  ASSERT_EQ(figures[1].panels.size(), 3u);
+  ASSERT_EQ(figures[1].key.size(), 1u);
+  EXPECT_EQ(figures[1].key[0].title, "theta_1 [kN]");
+  EXPECT_EQ(figures[1].panels[1].label, "zeta [mN]");
+  EXPECT_EQ(figures[1].panels[2].label, "gamma");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Vehicle vehicle() {
 FlightLog log(const std::string& controller) {
   FlightLog log;
   log.controller = controller;
-  log.adaptive_names = {"K_a", "K_b"};
+  log.adaptive_quantities = {{"K_a", "N"}, {"K_b", "N m/\u2016\u03be\u2016\u00b2"}};
   for (int i = 0; i < 100; ++i) {
     FlightSample sample;
     sample.time = fromSeconds(0.1 * i);
@@ -279,13 +279,21 @@ TEST_F(ToolsInFolder, ACsvFileTellsItsFlight) {
   EXPECT_EQ(alone.backdrop.payloads[0].from, fromSeconds(4.0));
   EXPECT_FALSE(alone.backdrop.payloads[0].to);
   EXPECT_EQ(alone.backdrop.payloads[0].mass, 0.5);
+  EXPECT_EQ(alone.log.adaptive_quantities,
+            (std::vector<AdaptiveQuantity>{{"K_a", ""}, {"K_b", ""}}));
 
   const std::string config = configFolder();
+  FlightLog other = log("other");
+  other.adaptive_quantities = {{"K_a", "kg"}, {"switches", ""}};
   writeFlightSetting(folder_.string(), loadYamlFile(config + "/scenario/hover_payload.yaml"),
-                     loadYamlFile(config + "/vehicle/pelican.yaml"));
+                     loadYamlFile(config + "/vehicle/pelican.yaml"), {log("mine"), other});
   const Recording beside = readCsvRecording(path);
   EXPECT_EQ(beside.backdrop.title, loadScenario(config + "/scenario/hover_payload.yaml").title);
   EXPECT_EQ(beside.vehicle.mass, loadVehicle(config + "/vehicle/pelican.yaml").mass);
+  EXPECT_EQ(beside.log.adaptive_quantities, log("mine").adaptive_quantities);
+  const std::string renamed = (folder_ / "renamed.csv").string();
+  fs::copy_file(path, renamed);
+  EXPECT_EQ(readCsvRecording(renamed).log.adaptive_quantities, alone.log.adaptive_quantities);
   writeFile((folder_ / "flight.yaml").string(), "scenario: 1\n");
   EXPECT_THROW(readCsvRecording(path), ParameterError);
 }

@@ -6,13 +6,14 @@
 
 #include "adaptive_quadrotor_control/flight/flight_sample.h"
 #include "adaptive_quadrotor_control/flight/refusal.h"
+#include "adaptive_quadrotor_control/law/control_law.h"
 
 namespace aqc {
 
 /// Everything a flight leaves behind; tables, files and figures are made from it.
 struct FlightLog {
   std::string controller;
-  std::vector<std::string> adaptive_names;
+  std::vector<AdaptiveQuantity> adaptive_quantities;  ///< what Telemetry::adaptive holds
   std::vector<FlightSample> samples;
   std::optional<Nanoseconds> crash_time;
   std::string crash_reason;

@@ -68,7 +68,10 @@ struct Achieved {
 /// One of the numbers that a law adapts.
 struct AdaptiveQuantity {
   std::string name;  ///< with its symbol, e.g. "K_p0"
-  std::string unit;  ///< e.g. "N"; empty for a count
+  /// E.g. "N"; empty for a count, and where a record does not tell. ||xi|| is the norm of the error
+  /// and its rate together, a mixture of m and m/s or of rad and rad/s: docs/tuning.md and
+  /// docs/switched_control.md.
+  std::string unit;
 };
 inline bool operator==(const AdaptiveQuantity& a, const AdaptiveQuantity& b) {
   return a.name == b.name && a.unit == b.unit;

@@ -1,5 +1,6 @@
 #include "ros/border/conversions.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -234,6 +235,23 @@ FlightSample toSample(const msgs::ControllerState& message) {
   allocation.speeds = Eigen::Map<const Eigen::VectorXd>(
       message.rotor_speeds.data(), static_cast<Eigen::Index>(message.rotor_speeds.size()));
   return sample;
+}
+
+void fill(const std::vector<AdaptiveQuantity>& quantities, msgs::ControllerState& message) {
+  message.adaptive_names.clear();
+  message.adaptive_units.clear();
+  for (const AdaptiveQuantity& quantity : quantities) {
+    message.adaptive_names.push_back(quantity.name);
+    message.adaptive_units.push_back(quantity.unit);
+  }
+}
+
+std::vector<AdaptiveQuantity> toQuantities(const msgs::ControllerState& message) {
+  std::vector<AdaptiveQuantity> quantities;
+  for (const std::string& name : message.adaptive_names) quantities.push_back({name, ""});
+  const std::size_t units = std::min(quantities.size(), message.adaptive_units.size());
+  for (std::size_t i = 0; i < units; ++i) quantities[i].unit = message.adaptive_units[i];
+  return quantities;
 }
 
 const msgs::PlantStatus* addTruth(const PlantHistory& history, FlightSample& sample) {

@@ -62,6 +62,11 @@ SetPoint toSetPoint(const geometry_msgs::Pose& pose, const std::string& name = "
 void fill(const FlightSample& sample, msgs::ControllerState& message);
 FlightSample toSample(const msgs::ControllerState& message);
 
+/// Names and units of the adaptive values in such a message, and back; a name without a unit has
+/// an empty one.
+void fill(const std::vector<AdaptiveQuantity>& quantities, msgs::ControllerState& message);
+std::vector<AdaptiveQuantity> toQuantities(const msgs::ControllerState& message);
+
 /// What the plant published, by its time.
 using PlantHistory = std::map<Nanoseconds, msgs::PlantStatus::ConstPtr>;
 

@@ -48,7 +48,7 @@ void ControllerNodelet::configure() {
       vehicle, makeLaw(own.child("gains"), vehicle), period,
       by_odometry ? StepClock::Trigger::kOdometry : StepClock::Trigger::kTimer, limits);
   own.finish();
-  adaptive_names_ = adaptiveNames(pilot_->law());
+  adaptive_quantities_ = pilot_->law().adaptiveQuantities();
   diagnostics_ = std::make_unique<FlightDiagnostics>(
       getNodeHandle(), own_node, getName(),
       [this](Nanoseconds now, double silence) { return pilot_->judge(now, silence); });
@@ -162,7 +162,7 @@ void ControllerNodelet::onOrder(const msgs::ActiveSubsystem::ConstPtr& message) 
 std::string ControllerNodelet::swapLaw(PreparedLaw& prepared) {
   const std::string obstacle = pilot_->handOver(prepared.law);
   if (!obstacle.empty()) return obstacle;
-  adaptive_names_.swap(prepared.adaptive_names);
+  adaptive_quantities_.swap(prepared.adaptive_quantities);
   connectLaw();
   return "";
 }
@@ -203,7 +203,7 @@ void ControllerNodelet::tellOfImu() {
 void ControllerNodelet::publishState() {
   const auto state = boost::make_shared<msgs::ControllerState>();
   fill(*pilot_, *state);
-  state->adaptive_names = adaptive_names_;
+  fill(adaptive_quantities_, *state);
   state_publisher_.publish(state);
 }
 

@@ -56,7 +56,7 @@ class ControllerNodelet : public nodelet::Nodelet {
   void publishState();
 
   std::unique_ptr<Pilot> pilot_;
-  std::vector<std::string> adaptive_names_;
+  std::vector<AdaptiveQuantity> adaptive_quantities_;  // of its law
   bool imu_was_usable_ = false;
 
   ros::Subscriber odometry_subscriber_;

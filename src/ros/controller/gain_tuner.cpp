@@ -13,7 +13,6 @@
 
 #include "adaptive_quadrotor_control/law/law_factory.h"
 #include "ros/border/parameter_tree.h"
-#include "ros/controller/pilot_state.h"
 #include "ros/controller/tuning_map.h"
 
 namespace aqc {
@@ -114,7 +113,7 @@ std::unique_ptr<PreparedLaw> GainTuner::prepare(const YAML::Node& gains) const {
   const ParameterReader reader(gains, node_.resolveName("gains"));
   prepared->law = makeLaw(reader, vehicle_);
   reader.finish();
-  prepared->adaptive_names = adaptiveNames(*prepared->law);
+  prepared->adaptive_quantities = prepared->law->adaptiveQuantities();
   prepared->schema = tunable(reader.schema());
   return prepared;
 }

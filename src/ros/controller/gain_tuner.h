@@ -20,7 +20,7 @@ namespace aqc {
 
 /// A law that is ready to fly.
 struct PreparedLaw {
-  std::vector<std::string> adaptive_names;
+  std::vector<AdaptiveQuantity> adaptive_quantities;
   Schema schema;  ///< of its gains, without the choice of the law
   std::unique_ptr<ControlLaw> law;
 };

@@ -37,10 +37,4 @@ void fill(const Pilot& pilot, msgs::ControllerState& message) {
   }
 }
 
-std::vector<std::string> adaptiveNames(const ControlLaw& law) {
-  std::vector<std::string> names;
-  for (const AdaptiveQuantity& quantity : law.adaptiveQuantities()) names.push_back(quantity.name);
-  return names;
-}
-
 }  // namespace aqc

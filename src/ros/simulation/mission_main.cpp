@@ -26,7 +26,7 @@ int flyMission() {
   aqc::writeFlightFiles(out, logs);
   const ros::NodeHandle node;
   aqc::writeFlightSetting(out, aqc::parameterTree(node, "scenario"),
-                          aqc::parameterTree(node, "vehicle"));
+                          aqc::parameterTree(node, "vehicle"), logs);
   aqc::writeJson(out + "/metrics.json", logs, mission.scenario());
   if (plots)
     aqc::drawFigures(out, logs, aqc::backdropOf(mission.scenario()), mission.vehicle(), {});

@@ -161,7 +161,7 @@ FlightLog MissionNode::fly() {
 FlightLog MissionNode::takeLog(double wall_seconds) {
   FlightLog log;
   log.controller = state_->controller;
-  log.adaptive_names = state_->adaptive_names;
+  log.adaptive_quantities = toQuantities(*state_);
   log.samples = std::move(samples_);
   for (FlightSample& sample : log.samples) addTruth(truth_, sample);
   log.refusals = std::move(refusals_);

@@ -58,7 +58,7 @@ class Reader {
     if (!begin_ && state.flying) begin(time, toNanoseconds(state.trajectory_stamp), state);
     if (!log_.samples.empty() && time <= log_.samples.back().time) return;
     log_.samples.push_back(toSample(state));
-    if (begin_ && state.adaptive_names != log_.adaptive_names) {
+    if (begin_ && toQuantities(state) != log_.adaptive_quantities) {
       log_.samples.back().telemetry.adaptive.resize(0);
     }
   }
@@ -71,9 +71,9 @@ class Reader {
     begin_ = mission ? sent : time;
     const auto before = [this](const FlightSample& sample) { return sample.time < *begin_; };
     samples.erase(std::remove_if(samples.begin(), samples.end(), before), samples.end());
-    // Figures have one set of names: that of the law at the start.
+    // Figures have one set of names and units: that of the law at the start.
     log_.controller = state.controller;
-    log_.adaptive_names = state.adaptive_names;
+    log_.adaptive_quantities = toQuantities(state);
   }
 
   void addTruth() {

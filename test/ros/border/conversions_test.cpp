@@ -61,6 +61,19 @@ TEST(Conversions, RefuseATrajectoryByThePointAndWhatIsWrongWithIt) {
             "set point 0 has an acceleration too far from the next one's");
 }
 
+TEST(Conversions, CarryWhatTheLawAdaptsWithItsUnits) {
+  const std::vector<AdaptiveQuantity> quantities = {{"K_p0", "N"}, {"switches", ""}, {"rho", "m"}};
+  msgs::ControllerState message;
+  message.adaptive_names = message.adaptive_units = {"of another law"};
+  fill(quantities, message);
+  EXPECT_EQ(message.adaptive_names, (std::vector<std::string>{"K_p0", "switches", "rho"}));
+  EXPECT_EQ(message.adaptive_units, (std::vector<std::string>{"N", "", "m"}));
+  EXPECT_EQ(toQuantities(message), quantities);
+  message.adaptive_units = {"N"};
+  EXPECT_EQ(toQuantities(message),
+            (std::vector<AdaptiveQuantity>{{"K_p0", "N"}, {"switches", ""}, {"rho", ""}}));
+}
+
 TEST(Conversions, RefuseAPoseByTheNameThatItsUserGives) {
   geometry_msgs::Pose pose;
   const auto refusal = [&pose] {
