@@ -37,7 +37,7 @@ const std::vector<Room>& rooms() {
         {"math", {}},
         {"parameters", {"math"}},
         {"model", {"math", "parameters"}},
-        {"reference", {"math"}},
+        {"reference", {"math", "parameters"}},
         {"law", below_law},
         {"law/switched", below_law + Names{"law"}},
         {"law/law_factory", {"parameters", "model", "law", "law/switched"}},
