@@ -196,6 +196,14 @@ TEST(Switched, WantsToStandUprightAndTurned) {
 }
 
 // Every subsystem's gains go over; a law of another kind, or of another number, has none to give.
+TEST(Switched, TellsNothingOfItsOwnLastStepAfterItAdopted) {
+  const auto law = makeLaw(plainTree());
+  test::step(*law, {tooHigh(), kClimbing}, climb(), kStep);
+  ASSERT_NE(law->telemetry().sliding_position.z(), 0.0);
+  law->adopt(*makeLaw(plainTree()));
+  EXPECT_EQ(law->telemetry().sliding_position.z(), 0.0);
+}
+
 TEST(Switched, AdoptsEverySubsystemOfALawOfItsKind) {
   const auto old = makeLaw(plainTree());
   for (int subsystem : {1, 2}) {
