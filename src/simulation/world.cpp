@@ -75,6 +75,9 @@ World readWorld(const ParameterReader& scenario) {
       world.walls.push_back(readBox(wall));
     }
   }
+  if (scenario.has("sensors")) {
+    world.sensors = readSensorFaults(scenario.child("sensors"), world.control_period);
+  }
   return world;
 }
 

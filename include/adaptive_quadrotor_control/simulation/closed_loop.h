@@ -1,18 +1,22 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "adaptive_quadrotor_control/flight/flight_sample.h"
 #include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "adaptive_quadrotor_control/simulation/sensor_channel.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 namespace aqc {
 
 /// A scenario flown without ROS: plant and pilot in one loop, the pilot fed at the control rate
-/// with the state of this very instant, the rotor speeds held until its next step.
+/// with the state of this very instant, the rotor speeds held until its next step. In a world with
+/// `sensors` it hears what comes through their channels, when it comes, and a timer makes its
+/// steps.
 class ClosedLoop {
  public:
   /// Throws std::invalid_argument for a plant step that TimedPlant refuses.
@@ -38,10 +42,21 @@ class ClosedLoop {
     ForceMoment disturbance;
   };
 
+  // The channels of a world with `sensors`.
+  struct Channels {
+    OdometryChannel odometry;
+    ImuChannel imu;
+  };
+
+  void listen();
+  void advanceThroughChannels(Nanoseconds until);
+
   TimedPlant plant_;
   Pilot pilot_;
+  std::optional<Channels> channels_;
   std::vector<Refusal> objections_;
   Nanoseconds period_;
+  Nanoseconds plant_step_;
   Nanoseconds duration_;
   Truth truth_;
 };

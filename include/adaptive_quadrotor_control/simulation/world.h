@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "adaptive_quadrotor_control/simulation/box.h"
 #include "adaptive_quadrotor_control/simulation/cargo.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
+#include "adaptive_quadrotor_control/simulation/sensor_faults.h"
 
 namespace aqc {
 
@@ -25,6 +27,8 @@ struct World {
   bool ground = true;  ///< at z = 0; false: free flight everywhere, and nothing lies about
   Nanoseconds plant_step = 0;
   Nanoseconds control_period = 0;  ///< a command is held so long: a whole number of plant steps
+  /// What is wrong with the sensors; without it the pilot hears the truth at once.
+  std::optional<SensorFaults> sensors;
 };
 
 /// The period of a rate, which is 1 to 1e5 [Hz]. Throws ParameterError.

@@ -58,5 +58,34 @@ TEST(ClosedLoop, EndsWithTheScenarioEvenInTheMiddleOfAControlPeriod) {
   EXPECT_EQ(loop.plant().now(), scenario.duration);
 }
 
+TEST(ClosedLoop, HearsThroughChannelsWhenTheWorldHasSensors) {
+  const Vehicle vehicle = test::pelican();
+  Scenario scenario = shortScenario();
+  const auto flown = [&] {
+    return fly(scenario, vehicle, "geometric", test::lawNamed("geometric", vehicle), {});
+  };
+  const FlightLog direct = flown();
+  scenario.world.sensors.emplace();
+  OdometryFaults& odometry = scenario.world.sensors->odometry;
+  odometry.period = scenario.world.sensors->imu.period = scenario.world.control_period;
+  const FlightLog perfect = flown();
+  ASSERT_EQ(perfect.samples.size(), direct.samples.size());
+  for (std::size_t i = 0; i < direct.samples.size(); ++i) {
+    ASSERT_TRUE(test::sameBits(perfect.samples[i].state, direct.samples[i].state)) << i;
+  }
+
+  odometry.delay = 3 * scenario.world.control_period;
+  const FlightLog late = flown();
+  for (std::size_t i = 3; i < 10; ++i) {
+    EXPECT_EQ(late.samples[i].flying, true);
+    EXPECT_EQ(late.samples[i - 3].time, late.samples[i].time - odometry.delay);
+  }
+  EXPECT_FALSE(late.samples[2].flying) << "nothing has arrived yet";
+  EXPECT_TRUE(test::sameBits(late.samples[3].state, perfect.samples[0].state));
+
+  odometry.noise.position = 0.01;
+  EXPECT_TRUE(test::sameBits(flown().samples.back().state, flown().samples.back().state));
+}
+
 }  // namespace
 }  // namespace aqc
