@@ -1,6 +1,8 @@
 #include "adaptive_quadrotor_control/law/asmc.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "adaptive_quadrotor_control/law/saturation.h"
@@ -8,6 +10,13 @@
 
 namespace aqc {
 namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+// An upper bound that only a file which has it sets.
+double readMost(const ParameterReader& reader, const ParameterKey& key) {
+  return reader.has(key.name) ? reader.number(key, Range::positive()) : kUnbounded;
+}
 
 template <std::size_t... Index>
 std::array<AdaptiveGain, sizeof...(Index)> readGains(const ParameterReader& reader,
@@ -19,14 +28,28 @@ std::array<AdaptiveGain, sizeof...(Index)> readGains(const ParameterReader& read
       {"leak", "alpha_" + index, "1/s", "forgetting of K_" + index}, kCount, Range::positive());
   const std::vector<double> initial = reader.numbers(
       {"initial_gains", "K_" + index, unit, "at the start"}, kCount, Range::positive());
-  return {AdaptiveGain(initial[Index], leak[Index])...};
+  std::array<AdaptiveGain, kCount> gains = {AdaptiveGain(initial[Index], leak[Index])...};
+  if (!reader.has("most_gains")) return gains;
+  const std::vector<double> most =
+      reader.numbers({"most_gains", "K_" + index, unit, "at the most"}, kCount, Range::positive());
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (most[i] < initial[i]) reader.refuseValue("most_gains", ">= 'initial_gains' in every entry");
+    gains[i].bound(0.0, most[i]);
+  }
+  return gains;
 }
 
-AdaptiveGain readMass(const ParameterReader& reader) {
+AdaptiveGain readMass(const ParameterReader& reader, double most) {
   const double leak = reader.number(
       {"leak", "alpha_m", "1/s", "forgetting of the mass; a steady sag grows with it"},
       Range::positive());
-  return {reader.number({"initial", "m-hat", "kg", "at the start"}, Range::positive()), leak};
+  const double initial =
+      reader.number({"initial", "m-hat", "kg", "at the start"}, Range::positive());
+  AdaptiveGain mass(initial, leak);
+  if (most == kUnbounded) return mass;
+  if (most < initial) reader.refuseValue("most", ">= 'initial' = " + numberText(initial));
+  mass.bound(0.0, most);
+  return mass;
 }
 
 }  // namespace
@@ -37,6 +60,7 @@ struct Asmc::Words {
   std::string damping;  // unit of Lambda
   std::string rate;     // unit of s
   std::string push;     // units of K_0, K_1 ...
+  ParameterKey limit;   // the bound of rho
 };
 
 template <std::size_t Count>
@@ -48,7 +72,8 @@ Asmc::Loop<Count>::Loop(const ParameterReader& reader, const Words& words)
       boundary_layer_(reader.number({"boundary_layer", "varpi_" + words.index, words.rate,
                                      "smooths sgn(s); smaller is stiffer"},
                                     Range::positive())),
-      gains_(readGains(reader, words.index, words.push, std::make_index_sequence<Count>())) {}
+      gains_(readGains(reader, words.index, words.push, std::make_index_sequence<Count>())),
+      most_rho_(readMost(reader, words.limit)) {}
 
 template <std::size_t Count>
 Eigen::Vector3d Asmc::Loop<Count>::output(const Eigen::Vector3d& error,
@@ -61,6 +86,7 @@ Eigen::Vector3d Asmc::Loop<Count>::output(const Eigen::Vector3d& error,
     rho += gain.value() * power;
     power *= xi_;
   }
+  rho = std::min(rho, most_rho_);
   return -gain_ * sliding_ - rho * saturate(sliding_, boundary_layer_);
 }
 
@@ -83,11 +109,23 @@ void Asmc::Loop<Count>::adopt(const Loop& old) noexcept {
   for (std::size_t i = 0; i < Count; ++i) gains_[i].adopt(old.gains_[i].value());
 }
 
+template <std::size_t Count>
+bool Asmc::Loop<Count>::finite() const noexcept {
+  return std::all_of(gains_.begin(), gains_.end(),
+                     [](const AdaptiveGain& gain) { return std::isfinite(gain.value()); });
+}
+
 Asmc::Asmc(const ParameterReader& reader)
     : CascadedLaw(reader),
-      position_(reader.child("position"), {"p", "N s/m", "m/s", "N, N/|xi|"}),
-      attitude_(reader.child("attitude"), {"q", "N m s/rad", "rad/s", "N m, N m/|xi|, N m/|xi|^2"}),
-      mass_(readMass(reader.child("mass_estimate"))) {
+      position_(reader.child("position"),
+                {"p", "N s/m", "m/s", "N, N/|xi|", {"most_force", "rho_p", "N", "at the most"}}),
+      attitude_(reader.child("attitude"), {"q",
+                                           "N m s/rad",
+                                           "rad/s",
+                                           "N m, N m/|xi|, N m/|xi|^2",
+                                           {"most_moment", "rho_q", "N m", "at the most"}}),
+      most_mass_(readMost(reader.child("mass_estimate"), {"most", "m-hat", "kg", "at the most"})),
+      mass_(readMass(reader.child("mass_estimate"), most_mass_)) {
   report();
 }
 
@@ -128,6 +166,15 @@ void Asmc::adopt(const ControlLaw& old) noexcept {
     if (mass > mass_.value()) mass_.adopt(mass);
   }
   report();
+}
+
+void Asmc::bound(const EstimateBounds& bounds) noexcept {
+  mass_.bound(0.0, std::min(bounds.most_mass, most_mass_));
+  report();
+}
+
+bool Asmc::finite() const noexcept {
+  return position_.finite() && attitude_.finite() && std::isfinite(mass_.value());
 }
 
 std::vector<AdaptiveQuantity> Asmc::adaptiveQuantities() const {

@@ -8,6 +8,14 @@
 namespace aqc {
 namespace {
 
+Eigen::Vector3d angleError(const Eigen::Matrix3d& relative, AttitudeErrorKind kind) {
+  if (kind == AttitudeErrorKind::kThesis) {
+    return kAttitudeErrorScale * vee(relative - relative.transpose());
+  }
+  const Eigen::Quaterniond turn(relative);
+  return std::copysign(2.0, turn.w()) * turn.vec();
+}
+
 // The force's direction within the limits.
 Eigen::Vector3d thrustDirection(const Eigen::Vector3d& force, const TiltLimits& limits) {
   const double vertical =
@@ -30,12 +38,12 @@ Eigen::Matrix3d desiredAttitude(const Eigen::Vector3d& force, double yaw,
   return desired;
 }
 
-AttitudeErrors attitudeErrors(const State& state, const Eigen::Matrix3d& desired,
-                              double yaw_rate) noexcept {
+AttitudeErrors attitudeErrors(const State& state, const Eigen::Matrix3d& desired, double yaw_rate,
+                              AttitudeErrorKind kind) noexcept {
   const Eigen::Matrix3d R = state.attitude.toRotationMatrix();
   const Eigen::Matrix3d relative = desired.transpose() * R;  // R_d' R
   AttitudeErrors errors;
-  errors.angle = kAttitudeErrorScale * vee(relative - relative.transpose());
+  errors.angle = angleError(relative, kind);
   // omega_d = R_d' (0, 0, dpsi_d), so R' R_d omega_d is the third row of R times the yaw rate.
   errors.rate = state.body_rate - R.row(2).transpose() * yaw_rate;
   return errors;

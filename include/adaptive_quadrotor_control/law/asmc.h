@@ -11,7 +11,8 @@ namespace aqc {
 /// q_adap_K with sat for sgn). It knows neither mass nor inertia nor payload.
 ///
 /// As printed, without cures: the leak alpha_m leaves a steady sag of about
-/// alpha_m m / (g Phi_z), and the law keeps adapting while the rotors saturate.
+/// alpha_m m / (g Phi_z), the law keeps adapting while the rotors saturate, and neither K_i, rho
+/// nor m-hat has an upper bound. Bounds of these are options.
 class Asmc final : public CascadedLaw {
  public:
   /// Names and meaning: config/controller/asmc.yaml. Throws ParameterError.
@@ -22,6 +23,9 @@ class Asmc final : public CascadedLaw {
   /// From an asmc all gains and m-hat; from another law m-hat alone, its liftedMass(), unless the
   /// initial one is larger.
   void adopt(const ControlLaw& old) noexcept override;
+  /// 0 <= m-hat <= the smaller one of `most_mass` and the parameter `mass_estimate/most`.
+  void bound(const EstimateBounds& bounds) noexcept override;
+  bool finite() const noexcept override;
   std::unique_ptr<ControlLaw> clone() const override { return std::make_unique<Asmc>(*this); }
   const char* name() const noexcept override { return kName; }
   static constexpr const char* kName = "asmc";
@@ -44,6 +48,7 @@ class Asmc final : public CascadedLaw {
     void adapt(double dt) noexcept;
     void reset() noexcept;
     void adopt(const Loop& old) noexcept;
+    bool finite() const noexcept;
     const Eigen::Vector3d& sliding() const noexcept { return sliding_; }
     const std::array<AdaptiveGain, Count>& gains() const noexcept { return gains_; }
 
@@ -52,6 +57,7 @@ class Asmc final : public CascadedLaw {
     Eigen::Matrix3d gain_;                   // Lambda
     double boundary_layer_;                  // varpi
     std::array<AdaptiveGain, Count> gains_;  // K_i
+    double most_rho_;                        // infinity: no bound
     // Of the last output(), for adapt().
     Eigen::Vector3d sliding_ = Eigen::Vector3d::Zero();  // s
     double xi_ = 0.0;                                    // ||xi||
@@ -59,6 +65,7 @@ class Asmc final : public CascadedLaw {
 
   Loop<2> position_;
   Loop<3> attitude_;
+  double most_mass_;   // of the parameters [kg]; infinity: no bound
   AdaptiveGain mass_;  // m-hat [kg]
 };
 

@@ -11,8 +11,18 @@ namespace aqc {
 /// e_q carries the factor 1/2 of Lee (2010), as in the thesis's flights; its text omits it.
 constexpr double kAttitudeErrorScale = 0.5;
 
+/// What is e_q. Both are the angle times the axis of R_d' R as long as the angle is small.
+enum class AttitudeErrorKind {
+  /// 1/2 (R_d' R - R' R_d)^vee: sin(angle) along the axis. From 90 deg on it falls and vanishes at
+  /// 180 deg, where a vehicle at rest would stay for ever.
+  kThesis,
+  /// 2 sgn(w) v of the quaternion (w, v) of R_d' R: 2 sin(angle / 2) along the axis of the shorter
+  /// turn, largest at 180 deg, where one of both ways round is taken.
+  kQuaternion,
+};
+
 struct AttitudeErrors {
-  Eigen::Vector3d angle = Eigen::Vector3d::Zero();  ///< e_q = 1/2 (R_d' R - R' R_d)^vee, in B [rad]
+  Eigen::Vector3d angle = Eigen::Vector3d::Zero();  ///< e_q, in B [rad]
   Eigen::Vector3d rate = Eigen::Vector3d::Zero();   ///< de_q = omega - R' R_d omega_d, in B [rad/s]
 };
 
@@ -38,7 +48,7 @@ Eigen::Matrix3d desiredAttitude(const Eigen::Vector3d& force, double yaw,
 
 /// Errors of `state` against R_d, which turns about the vertical at `yaw_rate` [rad/s].
 /// The thesis prints R_d' R omega_d for the second term of de_q, which is not in B.
-AttitudeErrors attitudeErrors(const State& state, const Eigen::Matrix3d& desired,
-                              double yaw_rate) noexcept;
+AttitudeErrors attitudeErrors(const State& state, const Eigen::Matrix3d& desired, double yaw_rate,
+                              AttitudeErrorKind kind = AttitudeErrorKind::kThesis) noexcept;
 
 }  // namespace aqc

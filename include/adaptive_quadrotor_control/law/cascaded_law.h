@@ -21,7 +21,8 @@ class CascadedLaw : public ControlLaw {
   const Telemetry& telemetry() const noexcept final { return telemetry_; }
 
  protected:
-  /// Reads `max_tilt_deg`, in (0, 89], and `min_lift` [N], > 0.
+  /// Reads `max_tilt_deg`, in (0, 89], `min_lift` [N], > 0, and, if it is there, `attitude_error`:
+  /// thesis (as without it) or quaternion, see AttitudeErrorKind.
   explicit CascadedLaw(const ParameterReader& reader);
 
   /// tau_p in W [N]. Laws with a sliding surface report their s_p.
@@ -35,6 +36,7 @@ class CascadedLaw : public ControlLaw {
 
  private:
   TiltLimits limits_;
+  AttitudeErrorKind error_kind_;
 };
 
 }  // namespace aqc

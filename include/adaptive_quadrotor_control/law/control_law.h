@@ -80,16 +80,24 @@ inline bool operator!=(const AdaptiveQuantity& a, const AdaptiveQuantity& b) {
   return !(a == b);
 }
 
+/// What is known of the vehicle that no estimate of a law can be beyond.
+struct EstimateBounds {
+  /// Of the carried mass with the vehicle's own [kg], >= 0; the least is 0.
+  double most_mass = std::numeric_limits<double>::infinity();
+};
+
 /// A control law: from where the vehicle is and should be to what the rotors should do together.
 ///
 /// Value-like: all state is inside, time comes in as `dt`, the same calls give the same bits.
-/// command(), adapt(), reset() and adopt() neither allocate, block, log nor throw.
+/// command(), adapt(), reset(), adopt(), bound() and finite() neither allocate, block, log nor
+/// throw.
 class ControlLaw {
  public:
   virtual ~ControlLaw() = default;
 
   /// The wrench to hold for the next `dt` seconds (> 0). `sensed.state` and `set_point` must be
-  /// valid(). Every command is followed by adapt() before the next one.
+  /// valid(). Every command is followed by adapt() before the next one, or by none while
+  /// adaptation rests: what was learned then stays as it is, and telemetry() tells of the command.
   virtual Wrench command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept = 0;
 
   /// Learns from the last command over the `dt` seconds for which it holds, knowing what the rotors
@@ -104,6 +112,14 @@ class ControlLaw {
   /// another one starts from what the old law's command tells it (a law that adapts a mass: the one
   /// it carries now). Laws that adapt nothing have nothing to do.
   virtual void adopt(const ControlLaw& old) noexcept { static_cast<void>(old); }
+
+  /// From here on no estimate leaves `bounds`, whatever is sensed; until then only the law's own
+  /// parameters bound it. A clone keeps the bounds; adopt() does not take them over.
+  virtual void bound(const EstimateBounds& bounds) noexcept { static_cast<void>(bounds); }
+
+  /// Whether all that it has learned is finite. If not, no command will ever be of use again, until
+  /// reset(). A valid but absurd state, whose square is beyond a double, can do that.
+  virtual bool finite() const noexcept { return true; }
 
   /// A law of its own in the same state; allocates.
   virtual std::unique_ptr<ControlLaw> clone() const = 0;

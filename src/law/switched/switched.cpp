@@ -80,6 +80,7 @@ Wrench Switched::command(const Sensed& sensed, const SetPoint& set_point, double
   out_ = law_.output(switch_.active() - 1, in_);
   const Eigen::Vector4d& input = out_.input;
   telemetry_.force = input[0] * (sensed.state.attitude * Eigen::Vector3d::UnitZ());
+  report();
   return {input[0], {arm_length_ * input[1], arm_length_ * input[2], input[3]}};
 }
 
@@ -105,6 +106,10 @@ void Switched::adopt(const ControlLaw& old) noexcept {
   rate_slope_.adopt(same->rate_slope_);
   out_ = {};
   report();
+}
+
+bool Switched::finite() const noexcept {
+  return law_.finite() && velocity_slope_.value().allFinite() && rate_slope_.value().allFinite();
 }
 
 std::vector<AdaptiveQuantity> Switched::adaptiveQuantities() const {

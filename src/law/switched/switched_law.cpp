@@ -37,6 +37,9 @@ void requireAbove(const char* what, double value, double least) {
 void check(const SubsystemParameters& p, const LyapunovSpectrum& spectrum) {
   requireAbove("the least alpha", p.leak.minCoeff(), 0.5 * spectrum.decay());
   requireAbove("the least initial theta", p.initial_theta.minCoeff(), 0.0);
+  if (!(p.most_theta.array() >= p.initial_theta.array()).all()) {
+    throw std::domain_error("the most theta must be >= the initial one in every entry");
+  }
   requireAbove("the drive of zeta", p.zeta_drive, 0.0);
   requireAbove("the drive of gamma", p.gamma_drive, 0.0);
   requireAbove("the initial zeta", p.initial_zeta, p.zeta_drive);
@@ -89,6 +92,7 @@ void SwitchedSubsystem::adaptActive(const SwitchedInput& in, double filtered_err
   const Eigen::Vector4d Y(1.0, xi, xi * xi, in.acceleration);
   const double zeta_rate = 1.0 + gains_.theta[3] * in.acceleration * filtered_error;
   gains_.theta = decay_.cwiseProduct(gains_.theta) + rise_.cwiseProduct(filtered_error * Y);
+  project();
   gains_.zeta = relax(gains_.zeta, zeta_rate, parameters_.zeta_drive, dt);
 }
 
@@ -99,6 +103,21 @@ void SwitchedSubsystem::adaptInactive(double dt) noexcept {
 
 void SwitchedSubsystem::reset() noexcept {
   gains_ = {parameters_.initial_theta, parameters_.initial_zeta, parameters_.initial_gamma};
+}
+
+void SwitchedSubsystem::adopt(const SubsystemGains& gains) noexcept {
+  gains_ = gains;
+  project();
+}
+
+bool SwitchedSubsystem::finite() const noexcept {
+  return gains_.theta.allFinite() && std::isfinite(gains_.zeta) && std::isfinite(gains_.gamma);
+}
+
+// Not-a-number stays, for whoever looks whether all is well.
+void SwitchedSubsystem::project() noexcept {
+  for (int i = 0; i < 4; ++i)
+    gains_.theta[i] = std::min(gains_.theta[i], parameters_.most_theta[i]);
 }
 
 SwitchedLaw::SwitchedLaw(const std::vector<SubsystemParameters>& subsystems, double boundary_layer)
@@ -131,6 +150,11 @@ void SwitchedLaw::adopt(const SwitchedLaw& old) noexcept {
   for (std::size_t i = 0; i < std::min(subsystems_.size(), old.subsystems_.size()); ++i) {
     subsystems_[i].adopt(old.subsystems_[i].gains());
   }
+}
+
+bool SwitchedLaw::finite() const noexcept {
+  return std::all_of(subsystems_.begin(), subsystems_.end(),
+                     [](const SwitchedSubsystem& subsystem) { return subsystem.finite(); });
 }
 
 std::vector<LyapunovSpectrum> SwitchedLaw::spectra() const {

@@ -79,6 +79,12 @@ SubsystemParameters readSubsystem(const ParameterReader& reader) {
   p.zeta_drive =
       reader.number({"zeta_drive", "bar-epsilon", "", "what zeta decays to"}, Range::positive());
   p.initial_theta = readVector(reader, {"initial_theta", "theta-hat", "", "at the start"});
+  if (reader.has("most_theta")) {
+    p.most_theta = readVector(reader, {"most_theta", "theta-hat", "", "at the most"});
+    if (!(p.most_theta.array() >= p.initial_theta.array()).all()) {
+      reader.refuseValue("most_theta", ">= 'initial_theta' in every entry");
+    }
+  }
   p.initial_zeta = readInitial(reader, {"initial_zeta", "zeta", "", "at the start; > zeta_drive"},
                                p.zeta_drive, "zeta_drive");
   p.initial_gamma =

@@ -106,6 +106,23 @@ TEST(AttitudeErrors, OfATurnAboutAnAxisIsTheSineAlongIt) {
   }
 }
 
+TEST(AttitudeErrors, OfTheQuaternionGrowUpToAHalfTurn) {
+  test::Dice dice(7);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Matrix3d desired = dice.attitude().toRotationMatrix();
+    const Eigen::Vector3d axis = dice.vector(1.0).normalized();
+    const double angle = dice.between(-3.1, 3.1);
+    const State state = stateWith(desired * Eigen::AngleAxisd(angle, axis));
+    const AttitudeErrors errors =
+        attitudeErrors(state, desired, 0.0, AttitudeErrorKind::kQuaternion);
+    EXPECT_LT((errors.angle - 2.0 * std::sin(0.5 * angle) * axis).norm(), 1e-12);
+    const State turned = stateWith(desired * Eigen::AngleAxisd(M_PI, axis));
+    EXPECT_LT(attitudeErrors(turned, desired, 0.0).angle.norm(), 1e-12);
+    EXPECT_NEAR(attitudeErrors(turned, desired, 0.0, AttitudeErrorKind::kQuaternion).angle.norm(),
+                2.0, 1e-12);
+  }
+}
+
 TEST(AttitudeErrors, VanishAtTheReference) {
   test::Dice dice(4);
   const Eigen::Matrix3d desired = dice.attitude().toRotationMatrix();

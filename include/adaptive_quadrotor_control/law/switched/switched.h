@@ -40,6 +40,7 @@ class Switched final : public ControlLaw {
   /// active subsystem, memory of switches. From another law nothing: this one has no integral of
   /// the weight, so it lets the vehicle sink until its error gain holds it.
   void adopt(const ControlLaw& old) noexcept override;
+  bool finite() const noexcept override;
   std::unique_ptr<ControlLaw> clone() const override { return std::make_unique<Switched>(*this); }
   const char* name() const noexcept override { return kName; }
   static constexpr const char* kName = "switched";

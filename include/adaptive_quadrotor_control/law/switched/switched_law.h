@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "adaptive_quadrotor_control/law/switched/dwell_time.h"
@@ -29,8 +30,10 @@ struct SubsystemParameters {
   double zeta_drive = 0.0;      ///< bar-epsilon, > 0
   Eigen::Vector4d initial_theta =
       Eigen::Vector4d::Zero();  ///< theta-hat_0 .. theta-hat_3 at the start, > 0 (eq. init)
-  double initial_zeta = 0.0;    ///< bar-zeta, > bar-epsilon
-  double initial_gamma = 0.0;   ///< bar-gamma, > epsilon
+  /// Of theta-hat, >= initial_theta; the thesis has no bound.
+  Eigen::Vector4d most_theta = Eigen::Vector4d::Constant(std::numeric_limits<double>::infinity());
+  double initial_zeta = 0.0;   ///< bar-zeta, > bar-epsilon
+  double initial_gamma = 0.0;  ///< bar-gamma, > epsilon
 };
 
 /// The Lyapunov equation of a subsystem, solved.
@@ -81,7 +84,8 @@ class SwitchedSubsystem {
 
   void reset() noexcept;
   /// Goes on from `gains`.
-  void adopt(const SubsystemGains& gains) noexcept { gains_ = gains; }
+  void adopt(const SubsystemGains& gains) noexcept;
+  bool finite() const noexcept;
 
   const SubsystemGains& gains() const noexcept { return gains_; }
   const SubsystemParameters& parameters() const noexcept { return parameters_; }
@@ -89,6 +93,8 @@ class SwitchedSubsystem {
   const LyapunovSpectrum& spectrum() const noexcept { return lyapunov_.spectrum; }
 
  private:
+  void project() noexcept;
+
   SubsystemParameters parameters_;
   SubsystemLyapunov lyapunov_;
   Matrix4x8d filter_;    // B'P
@@ -115,6 +121,7 @@ class SwitchedLaw {
   void reset() noexcept;
   /// The gains of a law of as many subsystems, but maybe other parameters, go on here.
   void adopt(const SwitchedLaw& old) noexcept;
+  bool finite() const noexcept;
 
   int count() const noexcept { return static_cast<int>(subsystems_.size()); }
   const SwitchedSubsystem& subsystem(int index) const noexcept {
