@@ -14,8 +14,8 @@
 namespace aqc {
 
 /// The most points, and the most names, of a trajectory. The longest shipped mission has 30 001,
-/// and 50 000 are 500 s at 100 Hz. They cost about 30 ms in the control thread; asmc loses the
-/// vehicle when it is blind for 32 ms in a manoeuvre.
+/// and 50 000 are 500 s at 100 Hz. To read and convert those holds the control thread for 17 ms at
+/// 2.9 GHz, half of the delay with which asmc loses the vehicle in a step of 2 m.
 constexpr std::uint32_t kMostTrajectoryPoints = 50'000;
 
 /// The most bytes of a trajectory: twice those of so many points with one joint.
