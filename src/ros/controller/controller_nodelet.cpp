@@ -139,11 +139,11 @@ void ControllerNodelet::plan(const char* what, const ros::Time& stamp, ToSetPoin
   }
 }
 
-void ControllerNodelet::onTrajectory(
-    const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& message) {
-  const ros::Time& stamp = message->header.stamp;
+void ControllerNodelet::onTrajectory(const BoundedTrajectory::ConstPtr& message) {
+  const ros::Time& stamp = message->trajectory.header.stamp;
   plan("trajectory", stamp, [&](Nanoseconds now) {
-    return toSetPoints(*message, pilot_->beginning(toNanoseconds(stamp), now));
+    if (!message->refusal.empty()) throw std::invalid_argument(message->refusal);
+    return toSetPoints(message->trajectory, pilot_->beginning(toNanoseconds(stamp), now));
   });
 }
 

@@ -5,7 +5,6 @@
 #include <nodelet/nodelet.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Imu.h>
-#include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
 #include <memory>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "adaptive_quadrotor_control/ActiveSubsystem.h"
 #include "adaptive_quadrotor_control/pilot/pilot.h"
+#include "ros/border/bounded_message.h"
 #include "ros/border/conversions.h"
 #include "ros/controller/flight_diagnostics.h"
 #include "ros/controller/gain_tuner.h"
@@ -43,7 +43,7 @@ class ControllerNodelet : public nodelet::Nodelet {
 
   void onOdometry(const nav_msgs::Odometry::ConstPtr& message);
   void onImu(const sensor_msgs::Imu::ConstPtr& message);
-  void onTrajectory(const trajectory_msgs::MultiDOFJointTrajectory::ConstPtr& message);
+  void onTrajectory(const BoundedTrajectory::ConstPtr& message);
   void onPose(const geometry_msgs::PoseStamped::ConstPtr& message);
   void onOrder(const msgs::ActiveSubsystem::ConstPtr& message);
 

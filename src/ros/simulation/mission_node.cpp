@@ -57,11 +57,11 @@ void MissionNode::onStatus(const msgs::PlantStatus::ConstPtr& message) {
 }
 
 void MissionNode::waitFor(const std::string& what, const std::function<bool()>& condition) const {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
+  const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(kPatience);
   while (!condition()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
     if (!ros::ok()) throw std::runtime_error("shut down while waiting for " + what);
-    if (ros::WallTime::now() > deadline) {
+    if (ros::SteadyTime::now() > deadline) {
       throw std::runtime_error("waited " + std::to_string(static_cast<int>(kPatience)) +
                                " s in vain for " + what);
     }
@@ -138,7 +138,7 @@ FlightLog MissionNode::fly() {
   }
 
   collecting_ = true;
-  const ros::WallTime start = ros::WallTime::now();
+  const ros::SteadyTime start = ros::SteadyTime::now();
   resume();
   ProgressBar progress("flying " + scenario_.name + " with " + state_->controller);
   const Nanoseconds last = scenario_.duration - scenario_.world.control_period;
@@ -148,7 +148,7 @@ FlightLog MissionNode::fly() {
     waitFor("the next sample of the flight", [&] { return latest_ > before; });
     progress.update(static_cast<double>(latest_) / static_cast<double>(last));
   }
-  const double wall_seconds = (ros::WallTime::now() - start).toSec();
+  const double wall_seconds = (ros::SteadyTime::now() - start).toSec();
   waitFor("the plant's last status", [&] { return truth_.rbegin()->first >= last; });
   // In lock step the plant races on: what comes now would only fill the unlimited queues, which
   // take minutes to clear once they hold a hundred thousand messages.

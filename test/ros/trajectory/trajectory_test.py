@@ -1,14 +1,23 @@
 #!/usr/bin/python3
 """Trajectories: every point acts at its time, refused ones change nothing."""
 import os
+import struct
 import sys
 import unittest
 
 import rospy
 import rostest
+from trajectory_msgs.msg import MultiDOFJointTrajectory
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 from uav import Uav, trajectory  # noqa: E402
+
+
+class Hollow(MultiDOFJointTrajectory):
+    """Declares 20 million points in 24 bytes, and has none."""
+
+    def serialize(self, buff):
+        buff.write(struct.pack('<6I', 0, 0, 0, 0, 0, 20000000))
 
 
 class Trajectory(unittest.TestCase):
@@ -42,7 +51,8 @@ class Trajectory(unittest.TestCase):
         nan = float('nan')
         bad = [trajectory(rospy.Time(0), []),
                trajectory(rospy.Time(0), [(0.0, 0, 0, nan, 0.0)]),
-               trajectory(rospy.Time(0), [(2.0, 0, 0, 2.0, 0.0), (1.0, 0, 0, 3.0, 0.0)])]
+               trajectory(rospy.Time(0), [(2.0, 0, 0, 2.0, 0.0), (1.0, 0, 0, 3.0, 0.0)]),
+               Hollow()]
         before = self.uav.state
         for count, message in enumerate(bad, start=1):
             self.uav.trajectory.publish(message)
