@@ -1,8 +1,46 @@
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "adaptive_quadrotor_control/math/number_text.h"
+
 namespace aqc {
+namespace {
+
+// What odometry is refused for, in the order of Doubt.
+const char* textOf(Doubt doubt) noexcept {
+  switch (doubt) {
+    case Doubt::kNone:
+      break;
+    case Doubt::kNotFinite:
+      return "it is not finite or not a pose";
+    case Doubt::kStampAhead:
+      return "its stamp is ahead of now";
+    case Doubt::kNoUnitQuaternion:
+      return "its quaternion is not of norm 1";
+    case Doubt::kAbsurd:
+      return "no vehicle is there or so fast";
+    case Doubt::kPositionJump:
+      return "its position jumps";
+    case Doubt::kVelocityJump:
+      return "its velocity jumps";
+    case Doubt::kTurnJump:
+      return "its attitude jumps";
+  }
+  return nullptr;
+}
+
+constexpr double kImuSilence = 0.1;  // [s]: an IMU older than this is not felt any more
+constexpr double kWeighing = 1.0;    // [s], time constant
+constexpr double kLeastMass = 0.1;   // [kg]
+// Blind, without an accelerometer, a vehicle must rather sink than climb for ever.
+constexpr double kBlindLightness = 0.98;
+constexpr double kStreamPause = 0.5;  // [s]: a stream of single set points has ended
+
+}  // namespace
 
 Pilot::Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanoseconds period,
              StepClock::Trigger trigger, const PilotLimits& limits)
@@ -10,21 +48,31 @@ Pilot::Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanosecond
       clock_(period, trigger, limits.clock),
       controller_(vehicle, std::move(law)),
       monitor_(period, vehicle.maxThrust() / kGravity, limits.monitor),
-      imu_(limits.specific_force_age, limits.clock.new_start) {}
+      imu_(limits.specific_force_age, limits.clock.new_start) {
+  if (!limits.guard) return;
+  guarded_.emplace(Guarded{Guard(*limits.guard, vehicle.maxThrust()),
+                           OdometryGate(limits.guard->gate), DeadReckoning(vehicle)});
+  controller_.bound({vehicle.maxThrust() / kGravity});
+}
 
 bool Pilot::awaitsImu(Nanoseconds stamp) const noexcept {
   return law().usesSpecificForce() && imu_.awaits(stamp);
 }
 
-Answer Pilot::hear(const State& state, Nanoseconds stamp, Nanoseconds now) noexcept {
+Answer Pilot::hear(const State& heard, Nanoseconds stamp, Nanoseconds now) noexcept {
+  State state = heard;
   Answer answer;
   const auto refuse = [&](const char* reason) {
-    ++dropped_odometry_;
-    monitor_.countDroppedOdometry();
+    countRefusedOdometry();
     answer.refusal = reason;
     return answer;
   };
-  if (!state.valid()) return refuse("it is not finite or not a pose");
+  if (guarded_) {
+    const Doubt doubt = guarded_->gate.look(state, stamp, now);
+    if (doubt != Doubt::kNone) return refuse(textOf(doubt));
+  } else if (!state.valid()) {
+    return refuse("it is not finite or not a pose");
+  }
   StepClock::Answer due = clock_.hear(stamp, awaitsImu(stamp));
   if (due == StepClock::Answer::kRestart) {
     beginAnew();
@@ -32,15 +80,45 @@ Answer Pilot::hear(const State& state, Nanoseconds stamp, Nanoseconds now) noexc
     due = clock_.hear(stamp, awaitsImu(stamp));
   }
   if (due == StepClock::Answer::kDrop) return refuse("its stamp goes back");
-  sensed_.state = state;
-  located_ = true;
-  monitor_.countOdometry(stamp, now);
+  if (const Doubt doubt = this->doubt(state); doubt != Doubt::kNone) {
+    refuse(textOf(doubt));  // a step that is due is made without it
+  } else {
+    takeOver(state);
+    monitor_.countOdometry(stamp, now);
+  }
   if (due == StepClock::Answer::kRepeat) answer.publish = Publish::kLastCommand;
   if (due == StepClock::Answer::kStep) {
     step(stamp);
     answer.publish = Publish::kNewCommand;
   }
   return answer;
+}
+
+// Whether it disagrees with what the vehicle must be doing.
+Doubt Pilot::doubt(const State& state) noexcept {
+  if (!guarded_ || !located_ || !guarded_->guard.airborne()) return Doubt::kNone;
+  const State expected = guarded_->reckoning.state();
+  const Doubt doubt = guarded_->gate.compare(state, expected, guarded_->silence);
+  if (guarded_->gate.sourceReset()) guarded_->guard.sourceReset(expected, state);
+  return doubt;
+}
+
+void Pilot::takeOver(const State& state) noexcept {
+  sensed_.state = state;
+  located_ = true;
+  if (!guarded_) return;
+  guarded_->guard.heardOdometry(state);
+  guarded_->reckoning.correct(state);
+  guarded_->silence = 0.0;
+}
+
+Answer Pilot::hear(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
+                   Nanoseconds stamp) noexcept {
+  if (guarded_ && specific_force.allFinite() && body_rate.allFinite()) {
+    guarded_->reckoning.feel(specific_force, body_rate);
+    guarded_->imu_silence = 0.0;
+  }
+  return hear(specific_force, stamp);
 }
 
 Answer Pilot::hear(const Eigen::Vector3d& specific_force, Nanoseconds stamp) noexcept {
@@ -58,8 +136,23 @@ Publish Pilot::tick(Nanoseconds now) noexcept {
   return Publish::kNewCommand;
 }
 
+Publish Pilot::watch(Nanoseconds now) noexcept {
+  if (!guarded_ || now - clock_.stepTime() < 2 * clock_.period()) return Publish::kNothing;
+  return tick(now);
+}
+
 void Pilot::beginAnew() noexcept {
   schedule_ = SetPointSchedule();
+  if (guarded_) {
+    const bool in_the_air = guarded_->guard.airborne();
+    guarded_->guard.clockStepped();
+    guarded_->gate.forget();
+    if (in_the_air) {
+      switches_.clear();
+      monitor_.countNewStart();
+      return;
+    }
+  }
   switches_.clear();
   if (SubsystemSwitch* subsystems = controller_.subsystems()) subsystems->restart();
   last_objection_.reset();
@@ -67,7 +160,83 @@ void Pilot::beginAnew() noexcept {
   monitor_.countNewStart();
 }
 
+void Pilot::release() noexcept {
+  schedule_ = SetPointSchedule();
+  if (guarded_) guarded_->guard.planReleased();
+}
+
 void Pilot::step(Nanoseconds now) noexcept {
+  if (guarded_) {
+    stepGuarded(now);
+  } else {
+    stepUnguarded(now);
+  }
+}
+
+Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
+  const Guarded& guarded = *guarded_;
+  Situation now;
+  now.dt = dt;
+  if (located_) {
+    const bool fresh = guarded.silence < limits_.guard->odometry_late;
+    now.state = fresh ? &sensed_.state : &guarded.reckoning.state();
+  }
+  now.silence = guarded.silence;
+  now.feels = guarded.reckoning.feels();
+  now.felt_lift = guarded.reckoning.feltLift();
+  now.planned = planned;
+  now.plan_ended =
+      schedule_.pending() == 0 && (!guarded.streamed || guarded.plan_age > kStreamPause);
+  now.plan_age = guarded.plan_age;
+  now.given = &allocation();
+  now.mass = law().telemetry().liftedMass();
+  now.law_finite = law().finite() && law().telemetry().force.allFinite();
+  return now;
+}
+
+// What the rotors hold up while odometry tells that they do: the mass that dead reckoning without
+// an accelerometer needs. A law's own estimate may differ by what its other terms carry.
+void Pilot::weigh(double dt) noexcept {
+  Guarded& guarded = *guarded_;
+  const Wrench given = controller_.given();
+  const double lift = given.thrust * (sensed_.state.attitude * Eigen::Vector3d::UnitZ()).z();
+  if (!guarded.guard.airborne()) {
+    guarded.mass = std::max(law().telemetry().liftedMass(), kLeastMass);
+  } else if (guarded.silence < limits_.guard->odometry_late) {
+    guarded.mass += std::min(dt / kWeighing, 1.0) * (lift / kGravity - guarded.mass);
+    guarded.mass = std::max(guarded.mass, kLeastMass);
+  }
+}
+
+void Pilot::stepGuarded(Nanoseconds now) noexcept {
+  Guarded& guarded = *guarded_;
+  const double dt = clock_.begin(now, guarded.guard.armed());
+  if (guarded.imu_silence > kImuSilence) guarded.reckoning.feelNothing();
+  const SetPoint* planned = located_ ? schedule_.at(now) : nullptr;
+  const Situation situation = this->situation(planned, dt);
+  const Decision decision = guarded.guard.step(situation);
+  switchSubsystem(now);
+  sense(now);
+  if (decision.forget) controller_.forget();
+  if (decision.set_point != nullptr) {
+    const State measured = sensed_.state;
+    set_point_ = *decision.set_point;
+    sensed_.state = *situation.state;
+    controller_.step(sensed_, decision.set_point, dt, decision.learn);
+    if (guarded.silence > 0.0) sensed_.state = measured;
+  } else {
+    controller_.idle(decision.idle, dt);
+  }
+  weigh(dt);
+  const double lightness = guarded.reckoning.feels() ? 1.0 : kBlindLightness;
+  guarded.reckoning.advance(controller_.given(), lightness * guarded.mass, dt);
+  guarded.silence += dt;
+  guarded.imu_silence += dt;
+  guarded.plan_age += dt;
+  monitor_.countStep(now, flying(), law().telemetry(), allocation().saturated);
+}
+
+void Pilot::stepUnguarded(Nanoseconds now) noexcept {
   const SetPoint* set_point = located_ ? schedule_.at(now) : nullptr;
   if (set_point != nullptr) set_point_ = *set_point;
   const double dt = clock_.begin(now, set_point != nullptr);
@@ -100,9 +269,40 @@ void Pilot::sense(Nanoseconds now) noexcept {
 }
 
 void Pilot::plan(std::vector<TimedSetPoint> set_points, Nanoseconds now, Nanoseconds stamp) {
+  if (guarded_) requireSafe(set_points, now, stamp);
+  const bool streamed = set_points.size() == 1;
   schedule_.replace(now, std::move(set_points));
+  if (guarded_) {
+    guarded_->streamed = streamed;
+    guarded_->plan_age = 0.0;
+    guarded_->guard.heardPlan();
+  }
   set_point_stamp_ = stamp;
   monitor_.countSetPoint(now);
+}
+
+// Throws std::invalid_argument for what a guard does not even plan.
+void Pilot::requireSafe(const std::vector<TimedSetPoint>& set_points, Nanoseconds now,
+                        Nanoseconds stamp) const {
+  const GuardLimits& limits = *limits_.guard;
+  if (stamp > 0 && now - stamp > limits_.trajectory_age) {
+    throw std::invalid_argument("it is " + numberText(toSeconds(now - stamp)) + " s old; at most " +
+                                numberText(toSeconds(limits_.trajectory_age)) + " s is allowed");
+  }
+  if (!set_points.empty() && toSeconds(set_points.front().time - now) > limits.trajectory_lead) {
+    throw std::invalid_argument(
+        "it begins in " + numberText(toSeconds(set_points.front().time - now)) + " s; at most " +
+        numberText(limits.trajectory_lead) + " s ahead is allowed");
+  }
+  for (const TimedSetPoint& timed : set_points) {
+    const SetPoint& point = timed.set_point;
+    const double most =
+        std::max({point.position.cwiseAbs().maxCoeff(), point.velocity.cwiseAbs().maxCoeff(),
+                  point.acceleration.cwiseAbs().maxCoeff()});
+    if (most <= limits.set_point_bound) continue;
+    throw std::invalid_argument("a set point says " + numberText(most) + "; at most " +
+                                numberText(limits.set_point_bound) + " (m, m/s, m/s^2) is allowed");
+  }
 }
 
 Nanoseconds Pilot::beginning(Nanoseconds stamp, Nanoseconds now) const noexcept {
@@ -112,6 +312,11 @@ Nanoseconds Pilot::beginning(Nanoseconds stamp, Nanoseconds now) const noexcept 
 void Pilot::countRefusedSetPoints() noexcept {
   ++dropped_set_points_;
   monitor_.countDroppedSetPoint();
+}
+
+void Pilot::countRefusedOdometry() noexcept {
+  ++dropped_odometry_;
+  monitor_.countDroppedOdometry();
 }
 
 bool Pilot::order(const SwitchOrder& order) {
@@ -131,7 +336,20 @@ std::string Pilot::handOver(std::unique_ptr<ControlLaw>& law) {
     }
   }
   law = controller_.replaceLaw(std::move(law));
+  if (!this->law().usesSpecificForce()) imu_.forget();  // its samples stop here
   return "";
+}
+
+std::vector<Finding> Pilot::judge(Nanoseconds now, double silence) {
+  std::vector<Finding> findings = monitor_.judge(now, silence);
+  if (guarded_) findings.push_back(guarded_->guard.judge());
+  return findings;
+}
+
+std::vector<std::string> Pilot::findingNames() const {
+  std::vector<std::string> names = FlightMonitor::names();
+  if (guarded_) names.push_back(guarded_->guard.judge().name);
+  return names;
 }
 
 FlightSample Pilot::sample() const {

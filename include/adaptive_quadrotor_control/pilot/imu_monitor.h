@@ -17,6 +17,9 @@ class ImuMonitor {
   explicit ImuMonitor(Nanoseconds oldest = kOldest, Nanoseconds new_start = kNewStart)
       : oldest_(oldest), new_start_(new_start) {}
 
+  /// As it was at the start; counts stay.
+  void forget() noexcept { started_ = usable_ = false; }
+
   /// A sample in B [m/s^2]. False, and it is dropped and counted, when it is not finite or older
   /// than the one before, unless so much that the clock was started anew.
   bool take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept;

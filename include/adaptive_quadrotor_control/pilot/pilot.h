@@ -8,8 +8,11 @@
 
 #include "adaptive_quadrotor_control/flight/flight_sample.h"
 #include "adaptive_quadrotor_control/law/switched/switch_schedule.h"
+#include "adaptive_quadrotor_control/pilot/dead_reckoning.h"
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
+#include "adaptive_quadrotor_control/pilot/guard.h"
 #include "adaptive_quadrotor_control/pilot/imu_monitor.h"
+#include "adaptive_quadrotor_control/pilot/odometry_gate.h"
 #include "adaptive_quadrotor_control/pilot/pilot_limits.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 
@@ -42,27 +45,45 @@ class Pilot {
   Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanoseconds period,
         StepClock::Trigger trigger, const PilotLimits& limits = {});
 
-  /// Odometry. Refused when it is not finite, not a pose, or of a time before the last one. Where
-  /// its clock was started anew (see StepClock::hear()) the law forgets what it learned, set points
-  /// and switches of the old time are gone, and the rotors stand still until a new set point comes.
+  /// Odometry. With a guard (PilotLimits::guard) it is judged by OdometryGate, and a clock that
+  /// goes back in the air ends plans of the old time, not the flight. Without one it is refused
+  /// when it is not finite, not a pose, or of a time before the last one; where its clock was
+  /// started anew (see StepClock::hear()) the law forgets what it learned, set points and switches
+  /// of the old time are gone, and the rotors stand still until a new set point comes.
   Answer hear(const State& state, Nanoseconds stamp, Nanoseconds now) noexcept;
   /// An accelerometer's sample at the origin of B, in B [m/s^2]: see ImuMonitor::take().
   Answer hear(const Eigen::Vector3d& specific_force, Nanoseconds stamp) noexcept;
+  /// The same, with the gyroscope's sample [rad/s] in B: a guard can then do without odometry.
+  Answer hear(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
+              Nanoseconds stamp) noexcept;
   /// A period has passed; for Trigger::kTimer.
   Publish tick(Nanoseconds now) noexcept;
+  /// To be called about once a period with Trigger::kOdometry: makes the step that odometry does
+  /// not, when a guard watches and two periods have passed without one.
+  Publish watch(Nanoseconds now) noexcept;
 
   /// Set points that replace all that was planned after `now`: see SetPointSchedule::replace(),
   /// which also tells what is thrown. `stamp` is that of their message, for the record.
   void plan(std::vector<TimedSetPoint> set_points, Nanoseconds now, Nanoseconds stamp);
   /// When a trajectory stamped `stamp` begins: then or, if that is too long ago, now.
   Nanoseconds beginning(Nanoseconds stamp, Nanoseconds now) const noexcept;
+  /// Forgets all that is planned; a guard brakes and holds, without one the rotors stand still.
+  void release() noexcept;
   /// Set points were not understood and never came here.
   void countRefusedSetPoints() noexcept;
+  /// Odometry was not of this vehicle and never came here.
+  void countRefusedOdometry() noexcept;
   /// A subsystem to switch to. False, and it is dropped, when too many wait already.
   bool order(const SwitchOrder& order);
   /// Puts `law` in and the old one in its place, between two steps (bumpless transfer). Empty, or
   /// why another law cannot take over now; nothing has changed then.
   std::string handOver(std::unique_ptr<ControlLaw>& law);
+
+  /// Null without one.
+  Guard* guard() noexcept { return guarded_ ? &guarded_->guard : nullptr; }
+  const Guard* guard() const noexcept { return guarded_ ? &guarded_->guard : nullptr; }
+  /// Since odometry was accepted, counted by steps [s]; only with a guard.
+  double silence() const noexcept { return guarded_ ? guarded_->silence : 0.0; }
 
   bool flying() const noexcept { return controller_.flying(); }
   /// Of the last step.
@@ -81,19 +102,41 @@ class Pilot {
   const ImuMonitor& imu() const noexcept { return imu_; }
   const StepClock& stepClock() const noexcept { return clock_; }
 
-  /// Health since the last judgement: see FlightMonitor::judge().
-  std::vector<Finding> judge(Nanoseconds now, double silence) {
-    return monitor_.judge(now, silence);
-  }
+  /// Health since the last judgement: see FlightMonitor::judge(),
+  /// and what the guard does, when there is one.
+  std::vector<Finding> judge(Nanoseconds now, double silence);
+  /// Of what judge() tells, in its order.
+  std::vector<std::string> findingNames() const;
 
  private:
   void beginAnew() noexcept;
   void step(Nanoseconds now) noexcept;
+  void stepUnguarded(Nanoseconds now) noexcept;
+  void stepGuarded(Nanoseconds now) noexcept;
+  Situation situation(const SetPoint* planned, double dt) const noexcept;
+  void weigh(double dt) noexcept;
+  Doubt doubt(const State& state) noexcept;
+  void takeOver(const State& state) noexcept;
+  void requireSafe(const std::vector<TimedSetPoint>& set_points, Nanoseconds now,
+                   Nanoseconds stamp) const;
   void switchSubsystem(Nanoseconds now) noexcept;
   void sense(Nanoseconds now) noexcept;
   bool awaitsImu(Nanoseconds stamp) const noexcept;
 
+  // What a guard needs beside it.
+  struct Guarded {
+    Guard guard;
+    OdometryGate gate;
+    DeadReckoning reckoning;
+    double silence = 0.0;      // without odometry [s]
+    double imu_silence = 0.0;  // [s]
+    double plan_age = 0.0;     // [s]
+    double mass = 0.0;         // that the thrust has held up lately [kg]
+    bool streamed = false;     // the last plan was one set point
+  };
+
   PilotLimits limits_;
+  std::optional<Guarded> guarded_;
   StepClock clock_;
   FlightController controller_;
   FlightMonitor monitor_;

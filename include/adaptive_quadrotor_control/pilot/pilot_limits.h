@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "adaptive_quadrotor_control/pilot/flight_monitor.h"
+#include "adaptive_quadrotor_control/pilot/guard_limits.h"
 #include "adaptive_quadrotor_control/pilot/handover.h"
 #include "adaptive_quadrotor_control/pilot/imu_monitor.h"
 #include "adaptive_quadrotor_control/pilot/step_clock.h"
@@ -19,6 +22,7 @@ struct PilotLimits {
   Nanoseconds trajectory_age = 1'000'000'000;
   HandoverLimits handover;
   MonitorLimits monitor;
+  std::optional<GuardLimits> guard;  ///< nothing: unguarded, as the published flights were
 };
 
 /// Reads limits by their names, all optional: `new_start`, `specific_force_age`, `trajectory_age`

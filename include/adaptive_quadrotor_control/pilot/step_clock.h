@@ -65,6 +65,8 @@ class StepClock {
   bool waiting() const noexcept { return waiting_; }
   /// Stamp of the last odometry that was not dropped; 0 before the first.
   Nanoseconds odometryTime() const noexcept { return odometry_time_.value_or(0); }
+  /// Of the last step; 0 before the first.
+  Nanoseconds stepTime() const noexcept { return last_step_.value_or(0); }
   Nanoseconds period() const noexcept { return period_; }
   Trigger trigger() const noexcept { return trigger_; }
 

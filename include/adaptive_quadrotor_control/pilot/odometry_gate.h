@@ -1,0 +1,49 @@
+#pragma once
+
+#include "adaptive_quadrotor_control/model/state.h"
+#include "adaptive_quadrotor_control/pilot/guard_limits.h"
+
+namespace aqc {
+
+/// Why odometry is not believed; order and number are those of the table in guard_rules.h.
+enum class Doubt {
+  kNone,
+  kNotFinite,
+  kStampAhead,
+  kNoUnitQuaternion,
+  kAbsurd,
+  kPositionJump,
+  kVelocityJump,
+  kTurnJump,
+};
+
+/// Judges odometry before anybody uses it. It has no clock and nothing in it allocates or throws.
+class OdometryGate {
+ public:
+  explicit OdometryGate(const GateLimits& limits) : limits_(limits) {}
+
+  /// What a message says by itself, whatever came before. Normalises a quaternion that is nearly
+  /// of norm 1.
+  Doubt look(State& state, Nanoseconds stamp, Nanoseconds now) const noexcept;
+
+  /// Whether it agrees with `expected`, the motion as it must be after `silence` seconds without
+  /// odometry (an innovation gate). Messages that jump, agree with each other and come in a row
+  /// are of a source that was reset: the last of so many (see GateLimits::confirmations) is
+  /// believed, unless it is the attitude that jumped, which no reset of a map explains.
+  Doubt compare(const State& state, const State& expected, double silence) noexcept;
+
+  /// Whether the last compare() took a message as a source's reset.
+  bool sourceReset() const noexcept { return reset_; }
+  /// The next message is the first one.
+  void forget() noexcept { agreeing_ = 0; }
+
+ private:
+  Doubt jumped(const State& state, const State& expected, double silence) const noexcept;
+
+  GateLimits limits_;
+  State candidate_;   // the last that jumped
+  int agreeing_ = 0;  // how many such agreed with each other in a row
+  bool reset_ = false;
+};
+
+}  // namespace aqc

@@ -1,0 +1,67 @@
+#include "adaptive_quadrotor_control/pilot/odometry_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aqc {
+namespace {
+
+// How much faster than reckoned a vehicle may become, pushed by whatever: what a silence adds to
+// the jumps that are allowed [m/s^2] and [rad/s].
+constexpr double kUnknownAcceleration = 15.0;
+constexpr double kUnknownRate = 4.0;
+// Whatever the silence: an attitude that is half a turn off is no vehicle's [rad].
+constexpr double kLargestTurn = 1.5;
+
+}  // namespace
+
+Doubt OdometryGate::look(State& state, Nanoseconds stamp, Nanoseconds now) const noexcept {
+  if (!state.position.allFinite() || !state.velocity.allFinite() || !state.body_rate.allFinite() ||
+      !state.attitude.coeffs().allFinite()) {
+    return Doubt::kNotFinite;
+  }
+  if (stamp > now && stamp - now > limits_.stamp_ahead) return Doubt::kStampAhead;
+  const double norm = state.attitude.norm();
+  if (!(std::abs(norm - 1.0) <= limits_.norm)) return Doubt::kNoUnitQuaternion;
+  state.attitude.coeffs() /= norm;
+  if (state.position.cwiseAbs().maxCoeff() > limits_.position ||
+      state.velocity.cwiseAbs().maxCoeff() > limits_.velocity ||
+      state.body_rate.cwiseAbs().maxCoeff() > limits_.body_rate) {
+    return Doubt::kAbsurd;
+  }
+  return Doubt::kNone;
+}
+
+Doubt OdometryGate::jumped(const State& state, const State& expected,
+                           double silence) const noexcept {
+  const double speed = kUnknownAcceleration * silence;
+  if (state.attitude.angularDistance(expected.attitude) >
+      std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurn)) {
+    return Doubt::kTurnJump;
+  }
+  if ((state.position - expected.position).norm() > limits_.jump + 0.5 * speed * silence) {
+    return Doubt::kPositionJump;
+  }
+  if ((state.velocity - expected.velocity).norm() > limits_.speed_jump + speed) {
+    return Doubt::kVelocityJump;
+  }
+  return Doubt::kNone;
+}
+
+Doubt OdometryGate::compare(const State& state, const State& expected, double silence) noexcept {
+  reset_ = false;
+  const Doubt doubt = jumped(state, expected, silence);
+  if (doubt == Doubt::kNone || doubt == Doubt::kTurnJump) {
+    agreeing_ = 0;
+    return doubt;
+  }
+  const bool agrees = agreeing_ > 0 && jumped(state, candidate_, 0.0) == Doubt::kNone;
+  agreeing_ = agrees ? agreeing_ + 1 : 1;
+  candidate_ = state;
+  if (agreeing_ < limits_.confirmations) return doubt;
+  agreeing_ = 0;
+  reset_ = true;
+  return Doubt::kNone;
+}
+
+}  // namespace aqc
