@@ -19,5 +19,6 @@ constexpr const char* kSubsystemTopic = "active_subsystem";
 
 /// The node plant_node and, below it, its services.
 constexpr const char* kPlantServices = "plant/";
+constexpr const char* kControllerServices = "controller/";
 
 }  // namespace aqc

@@ -44,13 +44,21 @@ void ControllerNodelet::configure() {
       own.has("trigger") && own.choice("trigger", {"odometry", "timer"}) == "odometry";
   PilotLimits limits;
   if (own.has("limits")) limits = readPilotLimits(own.child("limits"));
+  if (own.flag("guarded", true)) {
+    limits.guard = own.has("guard") ? readGuardLimits(own.child("guard")) : GuardLimits();
+  } else {
+    own.skip("guard");
+  }
+  world_frame_ = own.text("world_frame", kWorldFrame);
+  body_frame_ = own.text("body_frame", kBodyFrame);
+  own.skip("was_armed");
   pilot_ = std::make_unique<Pilot>(
       vehicle, makeLaw(own.child("gains"), vehicle), period,
       by_odometry ? StepClock::Trigger::kOdometry : StepClock::Trigger::kTimer, limits);
   own.finish();
   adaptive_quantities_ = pilot_->law().adaptiveQuantities();
   diagnostics_ = std::make_unique<FlightDiagnostics>(
-      getNodeHandle(), own_node, getName(),
+      getNodeHandle(), own_node, getName(), pilot_->findingNames(),
       [this](Nanoseconds now, double silence) { return pilot_->judge(now, silence); });
   tuner_ = std::make_unique<GainTuner>(own_node, parameterTree(getNodeHandle(), "vehicle"),
                                        parameterTree(own_node, "gains"), getSTCallbackQueue(),
@@ -69,15 +77,29 @@ void ControllerNodelet::connect() {
       node.subscribe(kTrajectoryTopic, 10, &ControllerNodelet::onTrajectory, this, fast);
   pose_subscriber_ = node.subscribe(kPoseTopic, 10, &ControllerNodelet::onPose, this, fast);
   connectLaw();
+  if (pilot_->guard() != nullptr) {
+    armed_record_ = std::make_unique<ArmedRecord>(getPrivateNodeHandle());
+    if (armed_record_->wasArmed()) pilot_->guard()->wasArmed();
+    guard_services_ = std::make_unique<GuardServices>(getPrivateNodeHandle(), *pilot_);
+  }
   const bool by_timer = pilot_->stepClock().trigger() == StepClock::Trigger::kTimer;
   const Nanoseconds period = pilot_->stepClock().period();
-  if (by_timer) {
-    timer_ = node.createTimer(ros::Duration().fromNSec(period), [this](const ros::TimerEvent&) {
-      act(pilot_->tick(toNanoseconds(ros::Time::now())));
-    });
+  // A clock that steps must not stop the steps.
+  if (ros::Time::isSimTime()) {
+    timer_ = node.createTimer(ros::Duration().fromNSec(period),
+                              [this](const ros::TimerEvent&) { onTimer(); });
+  } else {
+    steady_timer_ = node.createSteadyTimer(ros::WallDuration().fromNSec(period),
+                                           [this](const ros::SteadyTimerEvent&) { onTimer(); });
   }
   NODELET_INFO("%s at %.0f Hz, triggered by %s", pilot_->law().name(), 1.0 / toSeconds(period),
                by_timer ? "a timer" : "odometry");
+}
+
+void ControllerNodelet::onTimer() {
+  const Nanoseconds now = toNanoseconds(ros::Time::now());
+  const bool by_timer = pilot_->stepClock().trigger() == StepClock::Trigger::kTimer;
+  act(by_timer ? pilot_->tick(now) : pilot_->watch(now));
 }
 
 // The inputs that only some laws have.
@@ -92,7 +114,7 @@ void ControllerNodelet::connectLaw() {
     order_subscriber_ = getNodeHandle().subscribe(kSubsystemTopic, SwitchSchedule::kMost,
                                                   &ControllerNodelet::onOrder, this, fast);
   }
-  if (!pilot_->law().usesSpecificForce()) {
+  if (!pilot_->law().usesSpecificForce() && pilot_->guard() == nullptr) {
     imu_subscriber_.shutdown();
   } else if (!imu_subscriber_) {
     imu_subscriber_ =
@@ -100,13 +122,32 @@ void ControllerNodelet::connectLaw() {
   }
 }
 
+// Why a message does not speak of this vehicle in this world; null: it does, or does not say.
+const char* ControllerNodelet::foreign(const nav_msgs::Odometry& message) const {
+  if (pilot_->guard() == nullptr) return nullptr;
+  const auto differs = [](const std::string& said, const std::string& wanted) {
+    return !said.empty() && said != wanted;
+  };
+  if (differs(message.header.frame_id, world_frame_)) return "its frame_id is not '~world_frame'";
+  if (differs(message.child_frame_id, body_frame_))
+    return "its child_frame_id is not '~body_frame'";
+  return nullptr;
+}
+
 void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) {
+  if (const char* why = foreign(*message)) {
+    pilot_->countRefusedOdometry();
+    NODELET_WARN_THROTTLE(kWarningPeriod, "odometry in '%s' of '%s' dropped: %s (%u so far)",
+                          message->header.frame_id.c_str(), message->child_frame_id.c_str(), why,
+                          pilot_->droppedOdometry());
+    return;
+  }
   const Answer answer = pilot_->hear(toState(*message), toNanoseconds(message->header.stamp),
                                      toNanoseconds(ros::Time::now()));
   if (answer.began_anew) {
     NODELET_WARN_THROTTLE(kWarningPeriod,
-                          "odometry went back so far that its clock was started anew: the rotors "
-                          "stand still until a new set point comes");
+                          "odometry went back so far that its clock was started anew: plans of "
+                          "the old time are gone");
   }
   if (answer.refusal != nullptr) {
     NODELET_WARN_THROTTLE(kWarningPeriod, "odometry dropped: %s (%u so far)", answer.refusal,
@@ -119,7 +160,8 @@ void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) 
 
 void ControllerNodelet::onImu(const sensor_msgs::Imu::ConstPtr& message) {
   const Answer answer =
-      pilot_->hear(toEigen(message->linear_acceleration), toNanoseconds(message->header.stamp));
+      pilot_->hear(toEigen(message->linear_acceleration), toEigen(message->angular_velocity),
+                   toNanoseconds(message->header.stamp));
   if (answer.refusal != nullptr) {
     NODELET_WARN_THROTTLE(kWarningPeriod, "imu sample dropped: %s (%ld so far)", answer.refusal,
                           pilot_->imu().dropped());
@@ -148,6 +190,13 @@ void ControllerNodelet::onTrajectory(const BoundedTrajectory::ConstPtr& message)
 }
 
 void ControllerNodelet::onPose(const geometry_msgs::PoseStamped::ConstPtr& message) {
+  const std::string& frame = message->header.frame_id;
+  if (pilot_->guard() != nullptr && !frame.empty() && frame != world_frame_) {
+    pilot_->countRefusedSetPoints();
+    NODELET_WARN_THROTTLE(kWarningPeriod, "pose in '%s' dropped: only '%s' is known", frame.c_str(),
+                          world_frame_.c_str());
+    return;
+  }
   plan("pose", message->header.stamp, [&](Nanoseconds now) {
     return std::vector<TimedSetPoint>{{now, toSetPoint(message->pose)}};
   });
@@ -175,6 +224,13 @@ void ControllerNodelet::act(Publish publish) {
   motors->angular_velocities.assign(speeds.begin(), speeds.end());
   motor_publisher_.publish(motors);
   if (publish == Publish::kLastCommand) return;
+  if (const Guard* guard = pilot_->guard()) {
+    armed_record_->armed(guard->armed());
+    if (guard->mode() != told_mode_) {
+      told_mode_ = guard->mode();
+      NODELET_WARN("%s: %s", toString(told_mode_), textOf(guard->rule()).check);
+    }
+  }
   publishState();
   tellOfSwitches();
   tellOfImu();

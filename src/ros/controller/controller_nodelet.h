@@ -14,8 +14,10 @@
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "ros/border/bounded_message.h"
 #include "ros/border/conversions.h"
+#include "ros/controller/armed_record.h"
 #include "ros/controller/flight_diagnostics.h"
 #include "ros/controller/gain_tuner.h"
+#include "ros/controller/guard_services.h"
 
 namespace aqc {
 
@@ -54,6 +56,8 @@ class ControllerNodelet : public nodelet::Nodelet {
   void tellOfSwitches() const;
   void tellOfImu();
   void publishState();
+  void onTimer();
+  const char* foreign(const nav_msgs::Odometry& message) const;
 
   std::unique_ptr<Pilot> pilot_;
   std::vector<AdaptiveQuantity> adaptive_quantities_;  // of its law
@@ -66,7 +70,13 @@ class ControllerNodelet : public nodelet::Nodelet {
   ros::Subscriber order_subscriber_;  // null: the law has no subsystems
   ros::Publisher motor_publisher_;
   ros::Publisher state_publisher_;
-  ros::Timer timer_;
+  ros::Timer timer_;               // of a simulated clock
+  ros::SteadyTimer steady_timer_;  // of a real one, which may step
+  std::unique_ptr<ArmedRecord> armed_record_;
+  std::unique_ptr<GuardServices> guard_services_;
+  std::string world_frame_;
+  std::string body_frame_;
+  Mode told_mode_ = Mode::kDisarmed;
   std::unique_ptr<FlightDiagnostics> diagnostics_;
   std::unique_ptr<GainTuner> tuner_;
 };

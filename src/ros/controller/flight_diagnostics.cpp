@@ -19,12 +19,12 @@ unsigned char level(Health health) {
 
 FlightDiagnostics::FlightDiagnostics(const ros::NodeHandle& node,
                                      const ros::NodeHandle& private_node,
-                                     const std::string& node_name, Judge judge)
+                                     const std::string& node_name,
+                                     const std::vector<std::string>& names, Judge judge)
     : judge_(std::move(judge)),
       last_odometry_(ros::SteadyTime::now()),
       updater_(node, private_node, node_name) {
   updater_.setHardwareID("none");
-  const std::vector<std::string> names = FlightMonitor::names();
   findings_.resize(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     updater_.add(names[i], [this, i](diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -17,9 +17,11 @@ class FlightDiagnostics {
   /// Judges at a ROS time, after so many seconds without odometry by the wall clock.
   using Judge = std::function<std::vector<Finding>(Nanoseconds now, double silence)>;
 
-  /// `node_name` stands before every finding. `judge` is called in the queue of `node`.
+  /// `names` are those of the findings, in their order. `node_name` stands before every finding.
+  /// `judge` is called in the queue of `node`.
   FlightDiagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                    const std::string& node_name, Judge judge);
+                    const std::string& node_name, const std::vector<std::string>& names,
+                    Judge judge);
 
   /// Every accepted odometry must be told.
   void heardOdometry() { last_odometry_ = ros::SteadyTime::now(); }

@@ -27,6 +27,11 @@ void fillSwitch(const Pilot& pilot, const SubsystemSwitch& subsystems,
 void fill(const Pilot& pilot, msgs::ControllerState& message) {
   fill(pilot.sample(), message);
   message.controller = pilot.law().name();
+  if (const Guard* guard = pilot.guard()) {
+    message.mode = toString(guard->mode());
+    message.mode_reason = textOf(guard->rule()).name;
+    message.odometry_silence = pilot.silence();
+  }
   message.trajectory_stamp = toRosTime(pilot.setPointStamp());
   message.set_points_pending = static_cast<std::uint32_t>(pilot.setPointsPending());
   message.dropped_odometry = pilot.droppedOdometry();

@@ -167,7 +167,23 @@ void GoalNode::climbTo(double height) {
   trajectory_publisher_.publish(toTrajectory(sample(path, begin, kSetPointPeriod), begin));
 }
 
+// A guard takes off and lands by itself; true when there is one, and it was asked.
+bool GoalNode::askGuard(const std::vector<std::string>& orders) {
+  if (!state_ || state_->mode.empty()) return false;
+  for (const std::string& order : orders) {
+    std_srvs::Trigger service;
+    try {
+      callService(node_, std::string(kControllerServices) + order, ros::WallDuration(kPatience),
+                  service);
+    } catch (const std::runtime_error& error) {
+      ROS_WARN("%s", error.what());
+    }
+  }
+  return true;
+}
+
 void GoalNode::takeOff() {
+  if (askGuard({"arm", "take_off"})) return;
   try {
     climbTo(std::max(take_off_height_, present().position.z()));
   } catch (const std::exception& error) {
@@ -176,6 +192,7 @@ void GoalNode::takeOff() {
 }
 
 void GoalNode::land() {
+  if (askGuard({"land"})) return;
   double height = vehicle_.gear_height;
   if (status_ && status_->payload_mass > 0.0) {
     height = std::max(height, 0.5 * status_->payload_size.z - status_->payload_offset.z);

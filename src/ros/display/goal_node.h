@@ -40,6 +40,7 @@ class GoalNode {
   void attach(double mass);
   void drop();
   void gust();
+  bool askGuard(const std::vector<std::string>& orders);
   void takeOff();
   void land();
   void reset();

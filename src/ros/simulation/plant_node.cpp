@@ -4,6 +4,7 @@
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/Imu.h>
+#include <stdexcept>
 
 #include <cmath>
 
@@ -43,6 +44,10 @@ PlantNode::PlantNode()
   pace.real_time_factor = own.number("real_time_factor", Range::positiveUpTo(1000.0), 1.0);
   pace.paused = own.flag("start_paused", false);
   own.finish();
+  if (world_.sensors) {
+    throw std::invalid_argument(
+        "the scenario has 'sensors', which only flights without ROS spoil; leave them out");
+  }
   simulated_time_ = node_.param("/use_sim_time", false);
   if (pace.lock_step && !simulated_time_) own.refuse("lock_step", "needs /use_sim_time to be true");
   if (pace.real_time_factor != 1.0 && !simulated_time_) {

@@ -1,0 +1,43 @@
+#!/usr/bin/python3
+"""Odometry and poses of other frames are refused (BUG 9)."""
+import os
+import sys
+import unittest
+
+import rospy
+import rostest
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+from guarded import GuardedUav  # noqa: E402
+
+
+class Guard(unittest.TestCase):
+    def setUp(self):
+        rospy.init_node('guard_frames_test')
+        self.uav = GuardedUav()
+
+    def test_frames(self):
+        from geometry_msgs.msg import PoseStamped
+        self.uav.take_off()
+        before = self.uav.state
+        pose = PoseStamped()
+        pose.header.frame_id = 'camera_link'
+        pose.pose.position.x = 3.0
+        pose.pose.orientation.w = 1.0
+        self.uav.pose.publish(pose)
+        self.uav.wait('the refusal', lambda: self.uav.state.dropped_set_points >
+                      before.dropped_set_points)
+        self.assertEqual(self.uav.state.mode, 'holding')
+
+        def renamed(message):
+            message.header.frame_id = 'ned'
+            message.pose.pose.position.z *= -1.0
+            return message
+        self.uav.spoil = renamed
+        self.uav.wait_mode('emergency descent')
+        self.uav.wait_mode('disarmed')
+        self.assertFalse(self.uav.status.crashed, self.uav.status.crash_reason)
+
+
+if __name__ == '__main__':
+    rostest.rosrun('adaptive_quadrotor_control', 'guard_frames', Guard, sys.argv)
