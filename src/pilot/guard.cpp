@@ -32,28 +32,6 @@ SetPoint standing(const State& state) noexcept {
 
 }  // namespace
 
-const char* toString(Mode mode) noexcept {
-  switch (mode) {
-    case Mode::kDisarmed:
-      return "disarmed";
-    case Mode::kArmed:
-      return "armed";
-    case Mode::kTakingOff:
-      return "taking off";
-    case Mode::kFlying:
-      return "flying";
-    case Mode::kHolding:
-      return "holding";
-    case Mode::kLanding:
-      return "landing";
-    case Mode::kDescending:
-      return "emergency descent";
-    case Mode::kKilled:
-      return "killed";
-  }
-  return "?";
-}
-
 Guard::Guard(const GuardLimits& limits, double max_thrust)
     : limits_(limits), max_thrust_(max_thrust), governor_(limits.governor) {}
 
@@ -105,8 +83,7 @@ const char* Guard::land() noexcept {
 const char* Guard::hold() noexcept {
   if (!airborne()) return "it does not fly";
   if (mode_ == Mode::kDescending) return "it flies without odometry";
-  holdHere();
-  enter(Mode::kHolding, Rule::kOperator);
+  brake(Rule::kOperator);
   return nullptr;
 }
 
@@ -122,7 +99,7 @@ const char* Guard::goTo(const SetPoint& place) noexcept {
 }
 
 // Where the reference comes to rest: a hold must not turn back.
-void Guard::holdHere() noexcept {
+void Guard::restAhead() noexcept {
   const SetPoint& reference = governor_.setPoint();
   const double deceleration = 0.6 * limits_.governor.acceleration;
   place_ = SetPoint();
@@ -132,41 +109,45 @@ void Guard::holdHere() noexcept {
   plan_is_new_ = false;
 }
 
+void Guard::brake(Rule rule) noexcept {
+  restAhead();
+  enter(Mode::kHolding, rule);
+}
+
+void Guard::restartReference(const State& moving) noexcept {
+  SetPoint reference = standing(moving);
+  reference.velocity = moving.velocity;
+  governor_.restart(reference);
+}
+
 void Guard::heardOdometry(const State& state) noexcept {
   if (mode_ != Mode::kDescending) return;
-  SetPoint moving = standing(state);
-  moving.velocity = state.velocity;
-  governor_.restart(moving);
-  holdHere();
-  enter(Mode::kHolding, Rule::kOdometryBack);
+  restartReference(state);
+  brake(Rule::kOdometryBack);
 }
 
 void Guard::sourceReset(const State& expected, const State& said) noexcept {
   const double turn = yaw(said.attitude) - yaw(expected.attitude);
   governor_.shift(said.position - expected.position, turn);
   if (!airborne()) return;
-  holdHere();
+  restAhead();
   enter(mode_ == Mode::kLanding ? Mode::kLanding : Mode::kHolding, Rule::kSourceReset);
 }
 
 void Guard::clockStepped() noexcept {
   if (mode_ == Mode::kDescending) return;
   if (!airborne()) {
-    enter(mode_ == Mode::kKilled ? mode_ : Mode::kDisarmed, Rule::kClockStep);
-    return;
+    enter(Mode::kDisarmed, Rule::kClockStep);
+  } else if (mode_ == Mode::kFlying) {
+    brake(Rule::kClockStep);
+  } else {
+    rule_ = Rule::kClockStep;
   }
-  if (mode_ == Mode::kFlying) {
-    holdHere();
-    enter(Mode::kHolding, Rule::kClockStep);
-  }
-  rule_ = Rule::kClockStep;
 }
 
 void Guard::planReleased() noexcept {
   plan_is_new_ = false;
-  if (mode_ != Mode::kFlying) return;
-  holdHere();
-  enter(Mode::kHolding, Rule::kOperator);
+  if (mode_ == Mode::kFlying) brake(Rule::kOperator);
 }
 
 // A vehicle on the ground waits; one that was armed in the air is taken over.
@@ -177,11 +158,8 @@ void Guard::begin(const Situation& now) noexcept {
     if (state_.position.z() > limits_.ground + kNear) {
       stood_at_ = limits_.ground;
       airborne_ = true;
-      SetPoint moving = standing(state_);
-      moving.velocity = state_.velocity;
-      governor_.restart(moving);
-      holdHere();
-      enter(Mode::kHolding, Rule::kAirborne);
+      restartReference(state_);
+      brake(Rule::kAirborne);
       return;
     }
   }
@@ -205,10 +183,8 @@ void Guard::watchOdometry(const Situation& now) noexcept {
     rule_ = Rule::kOdometryLate;
     return;
   }
-  SetPoint reckoned = standing(state_);
-  reckoned.velocity = state_.velocity;
-  governor_.restart(reckoned);
-  holdHere();
+  restartReference(state_);
+  restAhead();
   enter(Mode::kDescending, Rule::kOdometryLost);
 }
 
@@ -248,12 +224,10 @@ void Guard::watchPlan(const Situation& now) noexcept {
   const double lead = (governor_.setPoint().position - state_.position).norm();
   const bool lagging = lagging_.update(lead > 0.95 * limits_.governor.lead, now.dt, limits_.lag);
   if (now.planned == nullptr || old) {
-    holdHere();
-    enter(Mode::kHolding, Rule::kSetPointOld);
+    brake(Rule::kSetPointOld);
   } else if (lagging) {
     governor_.restart(standing(state_));
-    holdHere();
-    enter(Mode::kHolding, Rule::kNotFollowing);
+    brake(Rule::kNotFollowing);
   }
 }
 
@@ -351,14 +325,17 @@ Decision Guard::step(const Situation& now) noexcept {
     watchPlan(now);
     progress(now);
   }
-  if (!armed()) return {nullptr, 0.0, false, !now.law_finite};
-  if (mode_ == Mode::kArmed) return {nullptr, limits_.idle_speed, false, !now.law_finite};
+  Decision decision;
+  decision.forget = !now.law_finite;
+  if (mode_ == Mode::kArmed) decision.idle = limits_.idle_speed;
+  if (!armed() || mode_ == Mode::kArmed) return decision;
   const bool sinks = mode_ == Mode::kLanding || mode_ == Mode::kDescending;
   const double floor = sinks ? -std::numeric_limits<double>::infinity() : stood_at_;
   const double thrust_to_weight = max_thrust_ / (std::max(now.mass, 1e-3) * kGravity);
-  const SetPoint& reference =
-      governor_.follow(wanted(now), state_.position, thrust_to_weight, floor, now.dt);
-  return {&reference, 0.0, mayLearn(now), !now.law_finite};
+  decision.set_point =
+      &governor_.follow(wanted(now), state_.position, thrust_to_weight, floor, now.dt);
+  decision.learn = mayLearn(now);
+  return decision;
 }
 
 }  // namespace aqc

@@ -15,6 +15,28 @@ constexpr double kLargestTurn = 1.5;
 
 }  // namespace
 
+const char* textOf(Doubt doubt) noexcept {
+  switch (doubt) {
+    case Doubt::kNone:
+      break;
+    case Doubt::kNotFinite:
+      return "it is not finite or not a pose";
+    case Doubt::kStampAhead:
+      return "its stamp is ahead of now";
+    case Doubt::kNoUnitQuaternion:
+      return "its quaternion is not of norm 1";
+    case Doubt::kAbsurd:
+      return "no vehicle is there or so fast";
+    case Doubt::kPositionJump:
+      return "its position jumps";
+    case Doubt::kVelocityJump:
+      return "its velocity jumps";
+    case Doubt::kTurnJump:
+      return "its attitude jumps";
+  }
+  return nullptr;
+}
+
 Doubt OdometryGate::look(State& state, Nanoseconds stamp, Nanoseconds now) const noexcept {
   if (!state.position.allFinite() || !state.velocity.allFinite() || !state.body_rate.allFinite() ||
       !state.attitude.coeffs().allFinite()) {

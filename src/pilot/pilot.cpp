@@ -1,37 +1,12 @@
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <utility>
 
-#include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/pilot/plan_gate.h"
 
 namespace aqc {
 namespace {
-
-// What odometry is refused for, in the order of Doubt.
-const char* textOf(Doubt doubt) noexcept {
-  switch (doubt) {
-    case Doubt::kNone:
-      break;
-    case Doubt::kNotFinite:
-      return "it is not finite or not a pose";
-    case Doubt::kStampAhead:
-      return "its stamp is ahead of now";
-    case Doubt::kNoUnitQuaternion:
-      return "its quaternion is not of norm 1";
-    case Doubt::kAbsurd:
-      return "no vehicle is there or so fast";
-    case Doubt::kPositionJump:
-      return "its position jumps";
-    case Doubt::kVelocityJump:
-      return "its velocity jumps";
-    case Doubt::kTurnJump:
-      return "its attitude jumps";
-  }
-  return nullptr;
-}
 
 constexpr double kImuSilence = 0.1;  // [s]: an IMU older than this is not felt any more
 constexpr double kWeighing = 1.0;    // [s], time constant
@@ -143,21 +118,17 @@ Publish Pilot::watch(Nanoseconds now) noexcept {
 
 void Pilot::beginAnew() noexcept {
   schedule_ = SetPointSchedule();
+  switches_.clear();
+  monitor_.countNewStart();
   if (guarded_) {
     const bool in_the_air = guarded_->guard.airborne();
     guarded_->guard.clockStepped();
     guarded_->gate.forget();
-    if (in_the_air) {
-      switches_.clear();
-      monitor_.countNewStart();
-      return;
-    }
+    if (in_the_air) return;  // what the law learned still holds
   }
-  switches_.clear();
   if (SubsystemSwitch* subsystems = controller_.subsystems()) subsystems->restart();
   last_objection_.reset();
   controller_.step(Sensed(), nullptr, toSeconds(clock_.period()));  // the law forgets
-  monitor_.countNewStart();
 }
 
 void Pilot::release() noexcept {
@@ -219,11 +190,10 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
   sense(now);
   if (decision.forget) controller_.forget();
   if (decision.set_point != nullptr) {
-    const State measured = sensed_.state;
     set_point_ = *decision.set_point;
-    sensed_.state = *situation.state;
-    controller_.step(sensed_, decision.set_point, dt, decision.learn);
-    if (guarded.silence > 0.0) sensed_.state = measured;
+    Sensed sensed = sensed_;
+    sensed.state = *situation.state;
+    controller_.step(sensed, decision.set_point, dt, decision.learn);
   } else {
     controller_.idle(decision.idle, dt);
   }
@@ -269,7 +239,7 @@ void Pilot::sense(Nanoseconds now) noexcept {
 }
 
 void Pilot::plan(std::vector<TimedSetPoint> set_points, Nanoseconds now, Nanoseconds stamp) {
-  if (guarded_) requireSafe(set_points, now, stamp);
+  if (guarded_) requireSafe(set_points, now, stamp, limits_.trajectory_age, *limits_.guard);
   const bool streamed = set_points.size() == 1;
   schedule_.replace(now, std::move(set_points));
   if (guarded_) {
@@ -279,30 +249,6 @@ void Pilot::plan(std::vector<TimedSetPoint> set_points, Nanoseconds now, Nanosec
   }
   set_point_stamp_ = stamp;
   monitor_.countSetPoint(now);
-}
-
-// Throws std::invalid_argument for what a guard does not even plan.
-void Pilot::requireSafe(const std::vector<TimedSetPoint>& set_points, Nanoseconds now,
-                        Nanoseconds stamp) const {
-  const GuardLimits& limits = *limits_.guard;
-  if (stamp > 0 && now - stamp > limits_.trajectory_age) {
-    throw std::invalid_argument("it is " + numberText(toSeconds(now - stamp)) + " s old; at most " +
-                                numberText(toSeconds(limits_.trajectory_age)) + " s is allowed");
-  }
-  if (!set_points.empty() && toSeconds(set_points.front().time - now) > limits.trajectory_lead) {
-    throw std::invalid_argument(
-        "it begins in " + numberText(toSeconds(set_points.front().time - now)) + " s; at most " +
-        numberText(limits.trajectory_lead) + " s ahead is allowed");
-  }
-  for (const TimedSetPoint& timed : set_points) {
-    const SetPoint& point = timed.set_point;
-    const double most =
-        std::max({point.position.cwiseAbs().maxCoeff(), point.velocity.cwiseAbs().maxCoeff(),
-                  point.acceleration.cwiseAbs().maxCoeff()});
-    if (most <= limits.set_point_bound) continue;
-    throw std::invalid_argument("a set point says " + numberText(most) + "; at most " +
-                                numberText(limits.set_point_bound) + " (m, m/s, m/s^2) is allowed");
-  }
 }
 
 Nanoseconds Pilot::beginning(Nanoseconds stamp, Nanoseconds now) const noexcept {

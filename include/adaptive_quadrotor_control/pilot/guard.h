@@ -4,22 +4,10 @@
 #include "adaptive_quadrotor_control/pilot/flight_monitor.h"
 #include "adaptive_quadrotor_control/pilot/guard_limits.h"
 #include "adaptive_quadrotor_control/pilot/guard_rules.h"
+#include "adaptive_quadrotor_control/pilot/mode.h"
 #include "adaptive_quadrotor_control/reference/governor.h"
 
 namespace aqc {
-
-enum class Mode {
-  kDisarmed,    ///< the rotors stand still
-  kArmed,       ///< they idle
-  kTakingOff,   ///< straight up from where it stood
-  kFlying,      ///< what was planned
-  kHolding,     ///< at a place of the guard's
-  kLanding,     ///< straight down
-  kDescending,  ///< without odometry
-  kKilled,      ///< disarmed for ever
-};
-/// "disarmed", ...; never null.
-const char* toString(Mode mode) noexcept;
 
 /// What the guard sees when a step is due.
 struct Situation {
@@ -83,7 +71,6 @@ class Guard {
   bool armed() const noexcept { return mode_ != Mode::kDisarmed && mode_ != Mode::kKilled; }
   /// Armed and off the ground, as far as known.
   bool airborne() const noexcept { return armed() && airborne_; }
-  const GuardLimits& limits() const noexcept { return limits_; }
 
  private:
   // How long something has been so.
@@ -96,7 +83,9 @@ class Guard {
   };
 
   void enter(Mode mode, Rule rule) noexcept;
-  void holdHere() noexcept;
+  void restartReference(const State& moving) noexcept;
+  void restAhead() noexcept;
+  void brake(Rule rule) noexcept;
   void begin(const Situation& now) noexcept;
   void watchOdometry(const Situation& now) noexcept;
   void watchAttitude(const Situation& now) noexcept;

@@ -5,7 +5,7 @@
 
 namespace aqc {
 
-/// Why odometry is not believed; order and number are those of the table in guard_rules.h.
+/// Why odometry is not believed.
 enum class Doubt {
   kNone,
   kNotFinite,
@@ -16,6 +16,9 @@ enum class Doubt {
   kVelocityJump,
   kTurnJump,
 };
+
+/// The reason in a few words; null for kNone.
+const char* textOf(Doubt doubt) noexcept;
 
 /// Judges odometry before anybody uses it. It has no clock and nothing in it allocates or throws.
 class OdometryGate {

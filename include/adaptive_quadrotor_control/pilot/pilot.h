@@ -117,8 +117,6 @@ class Pilot {
   void weigh(double dt) noexcept;
   Doubt doubt(const State& state) noexcept;
   void takeOver(const State& state) noexcept;
-  void requireSafe(const std::vector<TimedSetPoint>& set_points, Nanoseconds now,
-                   Nanoseconds stamp) const;
   void switchSubsystem(Nanoseconds now) noexcept;
   void sense(Nanoseconds now) noexcept;
   bool awaitsImu(Nanoseconds stamp) const noexcept;

@@ -45,8 +45,6 @@ class ReferenceGovernor {
   /// Begins anew with position, velocity, yaw and yaw rate of `at`, without acceleration. What is
   /// faster than the limits brakes within the limits of acceleration and jerk.
   void restart(const SetPoint& at) noexcept;
-  bool started() const noexcept { return started_; }
-  void stop() noexcept { started_ = false; }
 
   /// Adds `position` [m] and `yaw` [rad] to the reference and turns its velocity, acceleration and
   /// jerk by `yaw`: for odometry that was reset.

@@ -116,8 +116,9 @@ bool SwitchedSubsystem::finite() const noexcept {
 
 // Not-a-number stays, for whoever looks whether all is well.
 void SwitchedSubsystem::project() noexcept {
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 4; ++i) {
     gains_.theta[i] = std::min(gains_.theta[i], parameters_.most_theta[i]);
+  }
 }
 
 SwitchedLaw::SwitchedLaw(const std::vector<SubsystemParameters>& subsystems, double boundary_layer)
