@@ -2,6 +2,7 @@
 through this process, to be spoiled on the way."""
 import rospy
 from adaptive_quadrotor_control.srv import GoTo
+from geometry_msgs.msg import Point
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Trigger
 from uav import Uav
@@ -33,7 +34,6 @@ class GuardedUav(Uav):
 
     def go_to(self, x, y, z, yaw=0.0):
         service = rospy.ServiceProxy('/uav/controller/go_to', GoTo)
-        from geometry_msgs.msg import Point
         return service(Point(x, y, z), yaw)
 
     def wait_mode(self, mode):

@@ -85,10 +85,11 @@ void ControllerNodelet::connect() {
   const bool by_timer = pilot_->stepClock().trigger() == StepClock::Trigger::kTimer;
   const Nanoseconds period = pilot_->stepClock().period();
   // A clock that steps must not stop the steps.
-  if (ros::Time::isSimTime()) {
+  const bool needs_timer = by_timer || pilot_->guard() != nullptr;
+  if (needs_timer && ros::Time::isSimTime()) {
     timer_ = node.createTimer(ros::Duration().fromNSec(period),
                               [this](const ros::TimerEvent&) { onTimer(); });
-  } else {
+  } else if (needs_timer) {
     steady_timer_ = node.createSteadyTimer(ros::WallDuration().fromNSec(period),
                                            [this](const ros::SteadyTimerEvent&) { onTimer(); });
   }
@@ -122,24 +123,19 @@ void ControllerNodelet::connectLaw() {
   }
 }
 
-// Why a message does not speak of this vehicle in this world; null: it does, or does not say.
-const char* ControllerNodelet::foreign(const nav_msgs::Odometry& message) const {
-  if (pilot_->guard() == nullptr) return nullptr;
-  const auto differs = [](const std::string& said, const std::string& wanted) {
-    return !said.empty() && said != wanted;
-  };
-  if (differs(message.header.frame_id, world_frame_)) return "its frame_id is not '~world_frame'";
-  if (differs(message.child_frame_id, body_frame_))
-    return "its child_frame_id is not '~body_frame'";
-  return nullptr;
+// Whether a message that says a frame at all speaks of another one than `frame`.
+bool ControllerNodelet::foreign(const std::string& said, const std::string& frame) const {
+  return pilot_->guard() != nullptr && !said.empty() && said != frame;
 }
 
 void ControllerNodelet::onOdometry(const nav_msgs::Odometry::ConstPtr& message) {
-  if (const char* why = foreign(*message)) {
+  const std::string& frame = message->header.frame_id;
+  if (foreign(frame, world_frame_) || foreign(message->child_frame_id, body_frame_)) {
     pilot_->countRefusedOdometry();
-    NODELET_WARN_THROTTLE(kWarningPeriod, "odometry in '%s' of '%s' dropped: %s (%u so far)",
-                          message->header.frame_id.c_str(), message->child_frame_id.c_str(), why,
-                          pilot_->droppedOdometry());
+    NODELET_WARN_THROTTLE(
+        kWarningPeriod, "odometry of '%s' in '%s' dropped: only '%s' in '%s' is known (%u so far)",
+        message->child_frame_id.c_str(), frame.c_str(), body_frame_.c_str(), world_frame_.c_str(),
+        pilot_->droppedOdometry());
     return;
   }
   const Answer answer = pilot_->hear(toState(*message), toNanoseconds(message->header.stamp),
@@ -191,7 +187,7 @@ void ControllerNodelet::onTrajectory(const BoundedTrajectory::ConstPtr& message)
 
 void ControllerNodelet::onPose(const geometry_msgs::PoseStamped::ConstPtr& message) {
   const std::string& frame = message->header.frame_id;
-  if (pilot_->guard() != nullptr && !frame.empty() && frame != world_frame_) {
+  if (foreign(frame, world_frame_)) {
     pilot_->countRefusedSetPoints();
     NODELET_WARN_THROTTLE(kWarningPeriod, "pose in '%s' dropped: only '%s' is known", frame.c_str(),
                           world_frame_.c_str());

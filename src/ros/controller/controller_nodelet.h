@@ -25,8 +25,11 @@ namespace aqc {
 ///
 /// In: `odometry`, `command/trajectory`, `command/pose`; `imu` and `active_subsystem` for laws that
 /// use them. Out: `command/motor_speed`, `~state`.
-/// Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller), `~rate` [Hz]
-/// (default 250), `~trigger`, `~limits` (see PilotLimits; default: none). All callbacks come from
+/// With a guard (the default; `~guarded: false` flies without) also its services: see
+/// GuardServices. Parameters: `vehicle` (see config/vehicle), `~gains` (see config/controller),
+/// `~rate` [Hz] (default 250), `~trigger`, `~limits` (see PilotLimits; default: none), `~guard`
+/// (see GuardLimits), `~world_frame` and
+/// `~body_frame` (default `world`, `base_link`). All callbacks come from
 /// one queue in one thread, so nothing is locked. Gains and law may change in flight: see GainTuner
 /// and HandoverLimits.
 ///
@@ -57,7 +60,7 @@ class ControllerNodelet : public nodelet::Nodelet {
   void tellOfImu();
   void publishState();
   void onTimer();
-  const char* foreign(const nav_msgs::Odometry& message) const;
+  bool foreign(const std::string& said, const std::string& frame) const;
 
   std::unique_ptr<Pilot> pilot_;
   std::vector<AdaptiveQuantity> adaptive_quantities_;  // of its law

@@ -120,9 +120,9 @@ void GoalNode::command(const geometry_msgs::Pose& pose) {
 }
 
 template <class Service>
-bool GoalNode::callPlant(const std::string& name, Service& service) {
+bool GoalNode::call(const std::string& name, Service& service) {
   try {
-    callService(node_, kPlantServices + name, ros::WallDuration(kPatience), service);
+    callService(node_, name, ros::WallDuration(kPatience), service);
     return true;
   } catch (const std::runtime_error& error) {
     ROS_WARN("%s", error.what());
@@ -134,7 +134,7 @@ template <class Action>
 bool GoalNode::order(const Action& action, const ros::Time& at) {
   typename PlantService<Action>::Type service;
   service.request = toRequest(action, at);
-  return callPlant(PlantService<Action>::kName, service);
+  return call(std::string(kPlantServices) + PlantService<Action>::kName, service);
 }
 
 void GoalNode::attach(double mass) {
@@ -172,12 +172,7 @@ bool GoalNode::askGuard(const std::vector<std::string>& orders) {
   if (!state_ || state_->mode.empty()) return false;
   for (const std::string& order : orders) {
     std_srvs::Trigger service;
-    try {
-      callService(node_, std::string(kControllerServices) + order, ros::WallDuration(kPatience),
-                  service);
-    } catch (const std::runtime_error& error) {
-      ROS_WARN("%s", error.what());
-    }
+    call(kControllerServices + order, service);
   }
   return true;
 }
@@ -206,7 +201,7 @@ void GoalNode::land() {
 
 void GoalNode::reset() {
   std_srvs::Trigger service;
-  if (!callPlant("reset", service) || !start_) return;
+  if (!call(std::string(kPlantServices) + "reset", service) || !start_) return;
   geometry_msgs::Pose pose;
   pose.position = toPoint(start_->position);
   pose.orientation = toQuaternion(start_->attitude);

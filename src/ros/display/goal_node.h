@@ -22,7 +22,8 @@ namespace aqc {
 /// In: `controller/state`, `plant/status`, `move_base_simple/goal` (its height is replaced by that
 /// of the present set point), feedback of the interactive marker server `goal`. Out:
 /// `command/pose` while the handle is dragged, `command/trajectory` for take-off and landing. The
-/// menu calls the services of `plant`. Parameters: `vehicle`; `scenario` if there is one;
+/// menu calls the services of `plant` and, to take off and land, those of a guarded `controller`.
+/// Parameters: `vehicle`; `scenario` if there is one;
 /// `~take_off_height` [m], `~speed` [m/s] of take-off and landing, `~gust` [m/s].
 class GoalNode {
  public:
@@ -49,7 +50,7 @@ class GoalNode {
   void command(const geometry_msgs::Pose& pose);
   void climbTo(double height);
   template <class Service>
-  bool callPlant(const std::string& name, Service& service);
+  bool call(const std::string& name, Service& service);
   template <class Action>
   bool order(const Action& action, const ros::Time& at = {});
 

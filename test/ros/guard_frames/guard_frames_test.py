@@ -6,6 +6,7 @@ import unittest
 
 import rospy
 import rostest
+from geometry_msgs.msg import PoseStamped
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 from guarded import GuardedUav  # noqa: E402
@@ -17,7 +18,6 @@ class Guard(unittest.TestCase):
         self.uav = GuardedUav()
 
     def test_frames(self):
-        from geometry_msgs.msg import PoseStamped
         self.uav.take_off()
         before = self.uav.state
         pose = PoseStamped()
