@@ -22,6 +22,7 @@ void readGate(const ParameterReader& reader, GateLimits& limits) {
   readPositive(reader, "position", limits.position);
   readPositive(reader, "velocity", limits.velocity);
   readPositive(reader, "body_rate", limits.body_rate);
+  readPositive(reader, "specific_force", limits.specific_force);
   readPositive(reader, "norm", limits.norm);
   readPositive(reader, "jump", limits.jump);
   readPositive(reader, "speed_jump", limits.speed_jump);

@@ -54,6 +54,13 @@ Doubt OdometryGate::look(State& state, Nanoseconds stamp, Nanoseconds now) const
   return Doubt::kNone;
 }
 
+bool OdometryGate::believes(const Eigen::Vector3d& specific_force,
+                            const Eigen::Vector3d& body_rate) const noexcept {
+  // Comparisons with not-a-number are false.
+  return (specific_force.array().abs() <= limits_.specific_force).all() &&
+         (body_rate.array().abs() <= limits_.body_rate).all();
+}
+
 Doubt OdometryGate::jumped(const State& state, const State& expected,
                            double silence) const noexcept {
   const double speed = kUnknownAcceleration * silence;

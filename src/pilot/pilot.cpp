@@ -89,7 +89,10 @@ void Pilot::takeOver(const State& state) noexcept {
 
 Answer Pilot::hear(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
                    Nanoseconds stamp) noexcept {
-  if (guarded_ && specific_force.allFinite() && body_rate.allFinite()) {
+  if (guarded_) {
+    if (!guarded_->gate.believes(specific_force, body_rate)) {
+      return {Publish::kNothing, "no vehicle feels or turns so", false};
+    }
     guarded_->reckoning.feel(specific_force, body_rate);
     guarded_->imu_silence = 0.0;
   }

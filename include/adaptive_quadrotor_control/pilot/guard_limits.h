@@ -9,12 +9,13 @@ namespace aqc {
 
 class ParameterReader;
 
-/// What odometry may say. Beyond it nothing is believed: see OdometryGate.
+/// What odometry and an IMU may say. Beyond it nothing is believed: see OdometryGate.
 struct GateLimits {
   Nanoseconds stamp_ahead = 100'000'000;  ///< of a stamp ahead of now [ns]
   double position = 1e4;                  ///< of every coordinate [m]
   double velocity = 60.0;                 ///< [m/s]
-  double body_rate = 40.0;                ///< [rad/s]
+  double body_rate = 40.0;                ///< [rad/s], of an IMU, too
+  double specific_force = 200.0;          ///< of every component [m/s^2]
   double norm = 0.05;       ///< of a quaternion's norm from 1; within it, it is normalised
   double jump = 0.5;        ///< of the position from where the vehicle must be [m]
   double speed_jump = 3.0;  ///< of the velocity from what it must be [m/s]

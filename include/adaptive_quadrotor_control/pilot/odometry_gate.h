@@ -20,7 +20,8 @@ enum class Doubt {
 /// The reason in a few words; null for kNone.
 const char* textOf(Doubt doubt) noexcept;
 
-/// Judges odometry before anybody uses it. It has no clock and nothing in it allocates or throws.
+/// Judges odometry, and samples of an IMU, before anybody uses them. It has no clock and nothing in
+/// it allocates or throws.
 class OdometryGate {
  public:
   explicit OdometryGate(const GateLimits& limits) : limits_(limits) {}
@@ -28,6 +29,11 @@ class OdometryGate {
   /// What a message says by itself, whatever came before. Normalises a quaternion that is nearly
   /// of norm 1.
   Doubt look(State& state, Nanoseconds stamp, Nanoseconds now) const noexcept;
+
+  /// Whether an IMU's sample [m/s^2], [rad/s] in B is one that a vehicle can feel: one absurd
+  /// number in dead reckoning would make all later odometry look like a jump.
+  bool believes(const Eigen::Vector3d& specific_force,
+                const Eigen::Vector3d& body_rate) const noexcept;
 
   /// Whether it agrees with `expected`, the motion as it must be after `silence` seconds without
   /// odometry (an innovation gate). Messages that jump, agree with each other and come in a row

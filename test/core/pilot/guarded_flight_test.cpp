@@ -101,6 +101,23 @@ TEST_P(GuardedFlightTest, Bug2AnAbsurdNumberIsRefusedWholeAndLeavesNoTrace) {
   }
 }
 
+TEST_P(GuardedFlightTest, Bug2AnAbsurdImuSampleIsRefusedAndLeavesNoTrace) {
+  for (const double huge : {std::nan(""), HUGE_VAL, 1e308, 1e200, 1e6}) {
+    for (const bool rate : {false, true}) {
+      GuardedFlight flight(GetParam());
+      flight.takeOff();
+      const Eigen::Vector3d absurd(huge, 0.0, 0.0);
+      const Eigen::Vector3d rest(0.0, 0.0, kGravity);
+      const Answer answer = flight.pilot().hear(
+          rate ? rest : absurd, rate ? absurd : Eigen::Vector3d::Zero(), flight.now());
+      EXPECT_NE(answer.refusal, nullptr) << huge;
+      flight.imu = false;  // it would be the last sample for long
+      flight.fly(3.0);
+      expectHolding(flight, 1.1);
+    }
+  }
+}
+
 // BUG 3
 TEST_P(GuardedFlightTest, Bug3ATetherOnTheGroundEndsTheTakeOff) {
   GuardedFlight flight(GetParam());
