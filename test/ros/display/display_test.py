@@ -101,8 +101,10 @@ class Display(unittest.TestCase):
 
     def take_off(self):
         self.click('Take off')
+        # The guard rises by 1 m from where the vehicle stands, which is at 0.1 m.
         self.uav.wait('the take-off', lambda: self.uav.state.flying and
-                      self.uav.state.desired_position.z == 1.0)
+                      self.uav.state.mode_reason == 'taken off' and
+                      abs(self.uav.state.desired_position.z - 1.1) < 1e-3)
         self.uav.wait('the height', lambda: self.uav.state.position.z > 0.7)
 
     def attach(self):

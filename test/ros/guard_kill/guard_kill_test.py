@@ -21,7 +21,7 @@ class Guard(unittest.TestCase):
         self.uav.obey('kill')
         self.uav.wait('still rotors', lambda: max(
             self.uav.motors[-1].angular_velocities) == 0.0)
-        self.assertEqual(self.uav.state.mode, 'killed')
+        self.uav.wait_mode('killed')  # the state is published after the rotors' command
         self.assertFalse(self.uav.order('arm').success)
 
 
