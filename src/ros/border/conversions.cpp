@@ -19,27 +19,31 @@ std::string nameOf(std::size_t index) {
 
 // The set point of that name, whose other numbers are there, with the yaw of a rotation.
 SetPoint withYaw(SetPoint set_point, const geometry_msgs::Quaternion& orientation,
-                 const std::string& name) {
+                 const std::string& name, const Eigen::Isometry3d& to_world) {
   const Eigen::Quaterniond rotation = toEigen(orientation);
   if (!(std::abs(rotation.norm() - 1.0) < 1e-3)) refuse(name, "has no unit quaternion");
-  set_point.yaw = rollPitchYaw(rotation.normalized()).z();
+  set_point.yaw = rollPitchYaw(Eigen::Quaterniond(to_world.linear()) * rotation.normalized()).z();
   if (!set_point.valid()) refuse(name, "has a number that is not finite");
   return set_point;
 }
 
-SetPoint toSetPoint(const trajectory_msgs::MultiDOFJointTrajectoryPoint& point, std::size_t index) {
+SetPoint toSetPoint(const trajectory_msgs::MultiDOFJointTrajectoryPoint& point, std::size_t index,
+                    const Eigen::Isometry3d& to_world) {
   if (point.transforms.empty()) refuse(nameOf(index), "has no transform");
+  const auto turned = [&to_world](const geometry_msgs::Vector3& vector) -> Eigen::Vector3d {
+    return to_world.linear() * toEigen(vector);
+  };
   SetPoint set_point;
-  set_point.position = toEigen(point.transforms.front().translation);
+  set_point.position = to_world * toEigen(point.transforms.front().translation);
   if (!point.velocities.empty()) {
-    set_point.velocity = toEigen(point.velocities.front().linear);
-    set_point.yaw_rate = point.velocities.front().angular.z;
+    set_point.velocity = turned(point.velocities.front().linear);
+    set_point.yaw_rate = turned(point.velocities.front().angular).z();
   }
   if (!point.accelerations.empty()) {
-    set_point.acceleration = toEigen(point.accelerations.front().linear);
-    set_point.yaw_acceleration = point.accelerations.front().angular.z;
+    set_point.acceleration = turned(point.accelerations.front().linear);
+    set_point.yaw_acceleration = turned(point.accelerations.front().angular).z();
   }
-  return withYaw(set_point, point.transforms.front().rotation, nameOf(index));
+  return withYaw(set_point, point.transforms.front().rotation, nameOf(index), to_world);
 }
 
 // What one step of a path may take at most to count as sampled from it [s].
@@ -127,14 +131,14 @@ nav_msgs::Odometry toOdometry(const State& state, Nanoseconds time) {
 }
 
 std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTrajectory& trajectory,
-                                       Nanoseconds begin) {
+                                       Nanoseconds begin, const Eigen::Isometry3d& to_world) {
   if (trajectory.points.empty()) throw std::invalid_argument("the trajectory has no points");
   std::vector<TimedSetPoint> set_points;
   set_points.reserve(trajectory.points.size());
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     const Nanoseconds time = begin + trajectory.points[i].time_from_start.toNSec();
     if (i > 0 && time < set_points.back().time) refuse(nameOf(i), "is earlier than the one before");
-    set_points.push_back({time, toSetPoint(trajectory.points[i], i)});
+    set_points.push_back({time, toSetPoint(trajectory.points[i], i, to_world)});
   }
   differentiate(trajectory, set_points);
   return set_points;
@@ -164,10 +168,11 @@ trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSet
   return trajectory;
 }
 
-SetPoint toSetPoint(const geometry_msgs::Pose& pose, const std::string& name) {
+SetPoint toSetPoint(const geometry_msgs::Pose& pose, const std::string& name,
+                    const Eigen::Isometry3d& to_world) {
   SetPoint set_point;
-  set_point.position = toEigen(pose.position);
-  return withYaw(set_point, pose.orientation, name);
+  set_point.position = to_world * toEigen(pose.position);
+  return withYaw(set_point, pose.orientation, name, to_world);
 }
 
 void fill(const FlightSample& sample, msgs::ControllerState& message) {

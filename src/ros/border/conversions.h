@@ -49,13 +49,16 @@ nav_msgs::Odometry toOdometry(const State& state, Nanoseconds time);
 /// time is zero or longer than 0.2 s, which is no sampled path. Throws std::invalid_argument,
 /// naming the point and what is wrong with it, for a message without points, a point without
 /// transform, non-finite numbers or jerks, a rotation that is none, or times that go back.
-std::vector<TimedSetPoint> toSetPoints(const trajectory_msgs::MultiDOFJointTrajectory& trajectory,
-                                       Nanoseconds begin);
+/// `to_world` brings points of the message's frame into W.
+std::vector<TimedSetPoint> toSetPoints(
+    const trajectory_msgs::MultiDOFJointTrajectory& trajectory, Nanoseconds begin,
+    const Eigen::Isometry3d& to_world = Eigen::Isometry3d::Identity());
 trajectory_msgs::MultiDOFJointTrajectory toTrajectory(const std::vector<TimedSetPoint>& set_points,
                                                       Nanoseconds begin);
 
 /// Throws std::invalid_argument, naming the pose, when its rotation is none or a number not finite.
-SetPoint toSetPoint(const geometry_msgs::Pose& pose, const std::string& name = "the pose");
+SetPoint toSetPoint(const geometry_msgs::Pose& pose, const std::string& name = "the pose",
+                    const Eigen::Isometry3d& to_world = Eigen::Isometry3d::Identity());
 
 /// What the controller publishes about one step, and back. Truth that only the plant knows
 /// (payload, contact) is not in it.
