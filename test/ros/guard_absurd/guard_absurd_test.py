@@ -2,20 +2,12 @@
 """Numbers that no vehicle can have are refused and leave no trace (BUG 2)."""
 import os
 import sys
-import unittest
-
-import rospy
-import rostest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_absurd_test')
-        self.uav = GuardedUav()
-
+class Absurd(GuardedTest):
     def test_absurd(self):
         self.uav.take_off()
         mass = self.uav.state.mass_estimate
@@ -35,4 +27,4 @@ class Guard(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_absurd', Guard, sys.argv)
+    run(Absurd)

@@ -2,20 +2,12 @@
 """A set point 100 m away is flown no faster than the governor allows (BUG 4)."""
 import os
 import sys
-import unittest
-
-import rospy
-import rostest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_far_test')
-        self.uav = GuardedUav()
-
+class Far(GuardedTest):
     def test_far(self):
         self.uav.take_off()
         first = len(self.uav.states)
@@ -32,4 +24,4 @@ class Guard(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_far', Guard, sys.argv)
+    run(Far)

@@ -2,21 +2,14 @@
 """Odometry and poses of other frames are refused (BUG 9)."""
 import os
 import sys
-import unittest
 
-import rospy
-import rostest
 from geometry_msgs.msg import PoseStamped
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_frames_test')
-        self.uav = GuardedUav()
-
+class Frames(GuardedTest):
     def test_frames(self):
         self.uav.take_off()
         before = self.uav.state
@@ -40,4 +33,4 @@ class Guard(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_frames', Guard, sys.argv)
+    run(Frames)

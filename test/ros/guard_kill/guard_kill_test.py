@@ -2,20 +2,12 @@
 """Kill stops the rotors at once and for ever."""
 import os
 import sys
-import unittest
-
-import rospy
-import rostest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_kill_test')
-        self.uav = GuardedUav()
-
+class Kill(GuardedTest):
     def test_kill(self):
         self.uav.take_off()
         self.uav.obey('kill')
@@ -26,4 +18,4 @@ class Guard(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_kill', Guard, sys.argv)
+    run(Kill)

@@ -2,20 +2,12 @@
 """Every order of the guard, obeyed where it makes sense and refused elsewhere."""
 import os
 import sys
-import unittest
-
-import rospy
-import rostest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_orders_test')
-        self.uav = GuardedUav()
-
+class Orders(GuardedTest):
     def test_orders(self):
         self.uav.wait_until_ready()
         self.uav.wait('odometry', lambda: self.uav.state.odometry_silence < 0.1)
@@ -33,8 +25,8 @@ class Guard(unittest.TestCase):
         self.uav.sleep(6.0)
         self.assertAlmostEqual(self.uav.state.position.x, 1.0, delta=0.1)
         self.uav.obey('land')
-        self.uav.expect_landed(self)
+        self.expect_landed()
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_orders', Guard, sys.argv)
+    run(Orders)

@@ -2,20 +2,12 @@
 """Odometry that comes back in the air ends the descent, without a jump."""
 import os
 import sys
-import unittest
-
-import rospy
-import rostest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_recovery_test')
-        self.uav = GuardedUav()
-
+class Recovery(GuardedTest):
     def test_recovery(self):
         self.uav.take_off()
         self.assertTrue(self.uav.go_to(0.0, 0.0, 2.5).success)
@@ -31,4 +23,4 @@ class Guard(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_recovery', Guard, sys.argv)
+    run(Recovery)

@@ -2,20 +2,12 @@
 """Without odometry the vehicle descends by its IMU and stops its rotors (BUG 6)."""
 import os
 import sys
-import unittest
-
-import rospy
-import rostest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_silence_test')
-        self.uav = GuardedUav()
-
+class Silence(GuardedTest):
     def test_silence(self):
         self.uav.take_off()
         begin = self.uav.now
@@ -31,4 +23,4 @@ class Guard(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_silence', Guard, sys.argv)
+    run(Silence)

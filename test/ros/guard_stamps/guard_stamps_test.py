@@ -2,20 +2,14 @@
 """A stamp ahead of now or behind it by far is refused; the flight goes on (BUG 1)."""
 import os
 import sys
-import unittest
 
 import rospy
-import rostest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
-from guarded import GuardedUav  # noqa: E402
+from guarded import GuardedTest, run  # noqa: E402
 
 
-class Guard(unittest.TestCase):
-    def setUp(self):
-        rospy.init_node('guard_stamps_test')
-        self.uav = GuardedUav()
-
+class Stamps(GuardedTest):
     def test_stamps(self):
         self.uav.take_off()
         before = self.uav.state.dropped_odometry
@@ -36,4 +30,4 @@ class Guard(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rostest.rosrun('adaptive_quadrotor_control', 'guard_stamps', Guard, sys.argv)
+    run(Stamps)
