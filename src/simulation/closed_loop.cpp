@@ -65,9 +65,7 @@ void ClosedLoop::advanceThroughChannels(Nanoseconds until) {
 FlightSample ClosedLoop::sample() const {
   FlightSample sample = pilot_.sample();
   sample.time = truth_.time;
-  sample.payload_mass = truth_.payload_mass;
-  sample.touching = truth_.touching;
-  sample.disturbance = truth_.disturbance;
+  addTruth(truth_, sample);
   return sample;
 }
 

@@ -41,7 +41,7 @@ const std::vector<Room>& rooms() {
         {"law", below_law},
         {"law/switched", below_law + Names{"law"}},
         {"law/law_factory", {"parameters", "model", "law", "law/switched"}},
-        {"flight", {"math", "model", "reference", "law"}},
+        {"flight", {"math", "model", "reference", "law", "law/switched"}},
         {"pilot", pilot},
         {"simulation", pilot + Names{"pilot"}},
         {"report", core},

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "adaptive_quadrotor_control/flight/flight_sample.h"
 #include "adaptive_quadrotor_control/flight/refusal.h"
+#include "adaptive_quadrotor_control/flight/truth.h"
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "adaptive_quadrotor_control/simulation/sensor_channel.h"
@@ -34,14 +34,6 @@ class ClosedLoop {
   const Pilot& pilot() const noexcept { return pilot_; }
 
  private:
-  // What only the plant knows about the time of a control step.
-  struct Truth {
-    Nanoseconds time = 0;
-    double payload_mass = 0.0;
-    bool touching = false;
-    ForceMoment disturbance;
-  };
-
   // The channels of a world with `sensors`.
   struct Channels {
     OdometryChannel odometry;
@@ -58,7 +50,7 @@ class ClosedLoop {
   Nanoseconds period_;
   Nanoseconds plant_step_;
   Nanoseconds duration_;
-  Truth truth_;
+  Truth truth_;  // at the time of the last control step
 };
 
 }  // namespace aqc

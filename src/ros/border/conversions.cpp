@@ -259,14 +259,26 @@ std::vector<AdaptiveQuantity> toQuantities(const msgs::ControllerState& message)
   return quantities;
 }
 
-const msgs::PlantStatus* addTruth(const PlantHistory& history, FlightSample& sample) {
-  const auto later = history.upper_bound(sample.time);
-  if (later == history.begin()) return nullptr;
-  const msgs::PlantStatus& truth = *std::prev(later)->second;
-  sample.payload_mass = truth.payload_mass;
-  sample.touching = truth.touching;
-  sample.disturbance = {toEigen(truth.disturbance_force), toEigen(truth.disturbance_moment)};
-  return &truth;
+StepReport toReport(const msgs::ControllerState& message) {
+  StepReport report;
+  report.sample = toSample(message);
+  report.controller = message.controller;
+  report.adaptive_quantities = toQuantities(message);
+  report.plan_stamp = toNanoseconds(message.trajectory_stamp);
+  report.objections = {message.switch_refusals, message.refused_subsystem, message.switch_refusal,
+                       toNanoseconds(message.next_switch_allowed)};
+  return report;
+}
+
+Truth toTruth(const msgs::PlantStatus& message) {
+  Truth truth;
+  truth.time = toNanoseconds(message.header.stamp);
+  truth.payload_mass = message.payload_mass;
+  truth.touching = message.touching;
+  truth.disturbance = {toEigen(message.disturbance_force), toEigen(message.disturbance_moment)};
+  if (message.crashed) truth.crash_time = toNanoseconds(message.crash_time);
+  truth.crash_reason = message.crash_reason;
+  return truth;
 }
 
 }  // namespace aqc

@@ -8,13 +8,12 @@
 #include <ros/time.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "adaptive_quadrotor_control/ControllerState.h"
 #include "adaptive_quadrotor_control/PlantStatus.h"
-#include "adaptive_quadrotor_control/flight/flight_sample.h"
+#include "adaptive_quadrotor_control/flight/collector.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 #include "ros/border/names.h"
 
@@ -70,11 +69,8 @@ FlightSample toSample(const msgs::ControllerState& message);
 void fill(const std::vector<AdaptiveQuantity>& quantities, msgs::ControllerState& message);
 std::vector<AdaptiveQuantity> toQuantities(const msgs::ControllerState& message);
 
-/// What the plant published, by its time.
-using PlantHistory = std::map<Nanoseconds, msgs::PlantStatus::ConstPtr>;
-
-/// Puts what only the plant knew at the sample's time into it. Returns the status that told, the
-/// latest one not after the sample; null, and nothing is put, without one.
-const msgs::PlantStatus* addTruth(const PlantHistory& history, FlightSample& sample);
+/// What the log of a flight is made from.
+StepReport toReport(const msgs::ControllerState& message);
+Truth toTruth(const msgs::PlantStatus& message);
 
 }  // namespace aqc

@@ -4,7 +4,6 @@
 #include <std_srvs/Trigger.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "adaptive_quadrotor_control/ActiveSubsystem.h"
@@ -40,20 +39,12 @@ MissionNode::MissionNode() {
 
 void MissionNode::onState(const msgs::ControllerState::ConstPtr& message) {
   state_ = message;
-  if (!collecting_) return;
-  noteRefusals();
-  FlightSample sample = toSample(*message);
-  sample.time -= begin_;
-  latest_ = sample.time;
-  const bool repeated = !samples_.empty() && samples_.back().time >= sample.time;
-  if (sample.time >= 0 && sample.time < scenario_.duration && !repeated) {
-    samples_.push_back(std::move(sample));
-  }
+  if (collector_) collector_->add(toReport(*message));
 }
 
 void MissionNode::onStatus(const msgs::PlantStatus::ConstPtr& message) {
   status_ = message;
-  if (collecting_) truth_[toNanoseconds(message->header.stamp) - begin_] = message;
+  if (collector_) collector_->add(toTruth(*message));
 }
 
 void MissionNode::waitFor(const std::string& what, const std::function<bool()>& condition) const {
@@ -79,7 +70,6 @@ void MissionNode::sendSetPoints() {
 }
 
 void MissionNode::sendSwitches() {
-  known_refusals_ = state_->switch_refusals;
   if (scenario_.mission.switches.empty() || state_->active_subsystem == 0) return;
   waitFor("the controller to listen to " + switch_publisher_.getTopic(),
           [this] { return switch_publisher_.getNumSubscribers() > 0; });
@@ -92,15 +82,6 @@ void MissionNode::sendSwitches() {
   }
   waitFor("the controller to accept the switches",
           [&] { return state_->switches_pending >= waiting + scenario_.mission.switches.size(); });
-}
-
-void MissionNode::noteRefusals() {
-  if (state_->switch_refusals == known_refusals_) return;
-  known_refusals_ = state_->switch_refusals;
-  const Nanoseconds now = toNanoseconds(state_->header.stamp);
-  refusals_.push_back(
-      {now - begin_, switchObjection(state_->refused_subsystem, state_->switch_refusal,
-                                     toNanoseconds(state_->next_switch_allowed), now, begin_)});
 }
 
 void MissionNode::sendEvents() {
@@ -137,40 +118,34 @@ FlightLog MissionNode::fly() {
     waitFor("the controller to hear the IMU", [this] { return !state_->imu_lost; });
   }
 
-  collecting_ = true;
+  collector_.emplace(begin_, scenario_.duration);
+  collector_->add(toReport(*state_));  // how many switches were refused before
   const ros::SteadyTime start = ros::SteadyTime::now();
   resume();
-  ProgressBar progress("flying " + scenario_.name + " with " + state_->controller);
-  const Nanoseconds last = scenario_.duration - scenario_.world.control_period;
-  latest_ = -scenario_.world.control_period;
-  while (latest_ < last) {
-    const Nanoseconds before = latest_;
-    waitFor("the next sample of the flight", [&] { return latest_ > before; });
-    progress.update(static_cast<double>(latest_) / static_cast<double>(last));
-  }
+  watch();
   const double wall_seconds = (ros::SteadyTime::now() - start).toSec();
-  waitFor("the plant's last status", [&] { return truth_.rbegin()->first >= last; });
+  waitFor("the plant's last status",
+          [this] { return collector_->lastTruth() >= begin_ + scenario_.duration; });
   // In lock step the plant races on: what comes now would only fill the unlimited queues, which
   // take minutes to clear once they hold a hundred thousand messages.
   state_subscriber_.shutdown();
   status_subscriber_.shutdown();
-  progress.finish();
-  return takeLog(wall_seconds);
-}
-
-FlightLog MissionNode::takeLog(double wall_seconds) {
-  FlightLog log;
-  log.controller = state_->controller;
-  log.adaptive_quantities = toQuantities(*state_);
-  log.samples = std::move(samples_);
-  for (FlightSample& sample : log.samples) addTruth(truth_, sample);
-  log.refusals = std::move(refusals_);
-  if (status_->crashed) {
-    log.crash_time = toNanoseconds(status_->crash_time) - begin_;
-    log.crash_reason = status_->crash_reason;
-  }
+  FlightLog log = collector_->take();
   log.real_time_factor = toSeconds(scenario_.duration) / wall_seconds;
   return log;
+}
+
+// Returns when the last sample is there.
+void MissionNode::watch() {
+  ProgressBar progress("flying " + scenario_.name + " with " + state_->controller);
+  const Nanoseconds last = begin_ + scenario_.duration - scenario_.world.control_period;
+  while (collector_->lastStep() < last) {
+    const auto before = collector_->lastStep();
+    waitFor("the next sample of the flight", [&] { return collector_->lastStep() > before; });
+    progress.update(static_cast<double>(*collector_->lastStep() - begin_) /
+                    static_cast<double>(last - begin_));
+  }
+  progress.finish();
 }
 
 }  // namespace aqc

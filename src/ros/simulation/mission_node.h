@@ -3,12 +3,12 @@
 #include <ros/ros.h>
 
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 
 #include "adaptive_quadrotor_control/ControllerState.h"
 #include "adaptive_quadrotor_control/PlantStatus.h"
-#include "adaptive_quadrotor_control/flight/flight_log.h"
+#include "adaptive_quadrotor_control/flight/collector.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "ros/border/conversions.h"
@@ -40,9 +40,8 @@ class MissionNode {
   void sendSetPoints();
   void sendSwitches();
   void sendEvents();
-  void noteRefusals();
   void resume();
-  FlightLog takeLog(double wall_seconds);
+  void watch();
   template <class Service>
   void callPlant(const std::string& name, Service& service);
 
@@ -57,12 +56,7 @@ class MissionNode {
   msgs::PlantStatus::ConstPtr status_;     // latest
   msgs::ControllerState::ConstPtr state_;  // latest
   Nanoseconds begin_ = 0;                  // ROS time of the scenario's time zero
-  bool collecting_ = false;
-  Nanoseconds latest_ = 0;  // scenario time of the latest state
-  std::vector<FlightSample> samples_;
-  std::vector<Refusal> refusals_;
-  std::uint32_t known_refusals_ = 0;
-  PlantHistory truth_;  // by scenario time
+  std::optional<Collector> collector_;     // while it flies
 };
 
 }  // namespace aqc
