@@ -332,8 +332,8 @@ Decision Guard::step(const Situation& now) noexcept {
   const bool sinks = mode_ == Mode::kLanding || mode_ == Mode::kDescending;
   const double floor = sinks ? -std::numeric_limits<double>::infinity() : stood_at_;
   const double thrust_to_weight = max_thrust_ / (std::max(now.mass, 1e-3) * kGravity);
-  decision.set_point =
-      &governor_.follow(wanted(now), state_.position, thrust_to_weight, floor, now.dt);
+  goal_ = wanted(now);
+  decision.set_point = &governor_.follow(goal_, state_.position, thrust_to_weight, floor, now.dt);
   decision.learn = mayLearn(now);
   return decision;
 }

@@ -68,6 +68,8 @@ class Guard {
 
   Mode mode() const noexcept { return mode_; }
   Rule rule() const noexcept { return rule_; }  ///< of the last change or reaction
+  /// Where the last step wanted the vehicle: the reference that the law gets is on its way there.
+  const SetPoint& goal() const noexcept { return goal_; }
   bool armed() const noexcept { return mode_ != Mode::kDisarmed && mode_ != Mode::kKilled; }
   /// Armed and off the ground, as far as known.
   bool airborne() const noexcept { return armed() && airborne_; }
@@ -102,6 +104,7 @@ class Guard {
   Mode mode_ = Mode::kDisarmed;
   Rule rule_ = Rule::kNone;
   SetPoint place_;         // to hold, or to rise or sink from
+  SetPoint goal_;
   State state_;            // of the last step
   bool located_ = false;   // it was ever known
   double stood_at_ = 0.0;  // height where it was armed [m]

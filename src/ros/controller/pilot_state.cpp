@@ -32,6 +32,8 @@ void fill(const Pilot& pilot, msgs::ControllerState& message) {
     message.mode_reason = textOf(guard->rule()).name;
     message.odometry_silence = pilot.silence();
   }
+  message.goal_position = toPoint(pilot.goal().position);
+  message.goal_yaw = pilot.goal().yaw;
   message.trajectory_stamp = toRosTime(pilot.setPointStamp());
   message.set_points_pending = static_cast<std::uint32_t>(pilot.setPointsPending());
   message.dropped_odometry = pilot.droppedOdometry();

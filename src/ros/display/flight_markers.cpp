@@ -142,6 +142,7 @@ Markers plumbMarkers(const Eigen::Vector3d& position) {
 std::string flightMode(const msgs::ControllerState& state, const msgs::PlantStatus* status) {
   if (status != nullptr && status->crashed) return "crashed: " + status->crash_reason;
   if (status != nullptr && status->paused) return "waiting";
+  if (!state.mode.empty()) return state.mode + " (" + state.mode_reason + ")";
   if (!state.flying) return "rotors off";
   if (state.saturated) return "saturated";
   return status != nullptr && status->touching ? "on the ground" : "flying";

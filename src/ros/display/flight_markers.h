@@ -49,7 +49,7 @@ Markers plumbMarkers(const Eigen::Vector3d& position);
 /// it) and altitude error, above the vehicle. Namespace "text".
 Markers textMarkers(const msgs::ControllerState& state, const msgs::PlantStatus* status,
                     const Vehicle& vehicle);
-/// "flying", "landed", "saturated", "crashed: ...": the mode in the text.
+/// "flying", "saturated", "crashed: ...", or the guard's mode and why: the mode in the text.
 std::string flightMode(const msgs::ControllerState& state, const msgs::PlantStatus* status);
 
 /// `current` as a message, and a deletion of everything in `previous` that is not in it.

@@ -65,14 +65,16 @@ void GoalNode::addMenu() {
   add("Wind gust", [this] { gust(); });
   add("Take off", [this] { takeOff(); });
   add("Land", [this] { land(); });
+  add("Hold", [this] { askGuard({"hold"}); });
+  add("Kill: stop the rotors for ever", [this] { askGuard({"kill"}); });
   add("Reset the simulation", [this] { reset(); });
 }
 
 SetPoint GoalNode::present() const {
   if (!state_) throw std::runtime_error("the controller has not published its state yet");
   SetPoint present;
-  present.position = toEigen(state_->flying ? state_->desired_position : state_->position);
-  present.yaw = state_->flying ? state_->desired_yaw : rollPitchYaw(toEigen(state_->attitude)).z();
+  present.position = toEigen(state_->flying ? state_->goal_position : state_->position);
+  present.yaw = state_->flying ? state_->goal_yaw : rollPitchYaw(toEigen(state_->attitude)).z();
   return present;
 }
 
@@ -107,7 +109,7 @@ void GoalNode::onNavGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
     return;
   }
   geometry_msgs::Pose pose = goal->pose;
-  pose.position.z = state_ && state_->flying ? state_->desired_position.z : take_off_height_;
+  pose.position.z = state_ && state_->flying ? state_->goal_position.z : take_off_height_;
   command(pose);
 }
 

@@ -244,6 +244,7 @@ TEST_F(GuardTest, NotFollowingForTheLagHolds) {
   plan({30.0, 0.0, 1.0});
   const Eigen::Vector3d held = state_.position;
   step();
+  EXPECT_EQ(guard_.goal().position.x(), 30.0) << "whatever the governor makes of it";
   EXPECT_EQ(guard_.mode(), Mode::kFlying);
   double time = 0.0;
   for (; guard_.rule() != Rule::kNotFollowing && time < 30.0; time += kStep) step();

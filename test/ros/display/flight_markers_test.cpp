@@ -70,6 +70,9 @@ TEST(FlightMarkers, TheTextNamesTheMode) {
   EXPECT_EQ(flightMode(state, nullptr), "flying");
   state.saturated = true;
   EXPECT_EQ(flightMode(state, nullptr), "saturated");
+  state.mode = "holding";
+  state.mode_reason = "operator";
+  EXPECT_EQ(flightMode(state, nullptr), "holding (operator)");
   msgs::PlantStatus status;
   status.crashed = true;
   status.crash_reason = "rotor strike";
