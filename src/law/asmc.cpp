@@ -7,6 +7,7 @@
 
 #include "adaptive_quadrotor_control/law/saturation.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/gain_ranges.h"
 
 namespace aqc {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // An upper bound that only a file which has it sets.
-double readMost(const ParameterReader& reader, const ParameterKey& key) {
-  return reader.has(key.name) ? reader.number(key, Range::positive()) : kUnbounded;
+double readMost(const ParameterReader& reader, const ParameterKey& key, const Range& range) {
+  return reader.has(key.name) ? reader.number(key, range) : kUnbounded;
 }
 
 template <std::size_t... Index>
@@ -24,14 +25,14 @@ std::array<AdaptiveGain, sizeof...(Index)> readGains(const ParameterReader& read
                                                      const std::string& unit,
                                                      std::index_sequence<Index...>) {
   constexpr std::size_t kCount = sizeof...(Index);
-  const std::vector<double> leak = reader.numbers(
-      {"leak", "alpha_" + index, "1/s", "forgetting of K_" + index}, kCount, Range::positive());
-  const std::vector<double> initial = reader.numbers(
-      {"initial_gains", "K_" + index, unit, "at the start"}, kCount, Range::positive());
+  const std::vector<double> leak =
+      reader.numbers({"leak", "alpha_" + index, "1/s", "forgetting of K_" + index}, kCount, kDecay);
+  const std::vector<double> initial =
+      reader.numbers({"initial_gains", "K_" + index, unit, "at the start"}, kCount, kPush);
   std::array<AdaptiveGain, kCount> gains = {AdaptiveGain(initial[Index], leak[Index])...};
   if (!reader.has("most_gains")) return gains;
   const std::vector<double> most =
-      reader.numbers({"most_gains", "K_" + index, unit, "at the most"}, kCount, Range::positive());
+      reader.numbers({"most_gains", "K_" + index, unit, "at the most"}, kCount, kPush);
   for (std::size_t i = 0; i < kCount; ++i) {
     if (most[i] < initial[i]) reader.refuseValue("most_gains", ">= 'initial_gains' in every entry");
     gains[i].bound(0.0, most[i]);
@@ -41,10 +42,8 @@ std::array<AdaptiveGain, sizeof...(Index)> readGains(const ParameterReader& read
 
 AdaptiveGain readMass(const ParameterReader& reader, double most) {
   const double leak = reader.number(
-      {"leak", "alpha_m", "1/s", "forgetting of the mass; a steady sag grows with it"},
-      Range::positive());
-  const double initial =
-      reader.number({"initial", "m-hat", "kg", "at the start"}, Range::positive());
+      {"leak", "alpha_m", "1/s", "forgetting of the mass; a steady sag grows with it"}, kDecay);
+  const double initial = reader.number({"initial", "m-hat", "kg", "at the start"}, kMatter);
   AdaptiveGain mass(initial, leak);
   if (most == kUnbounded) return mass;
   if (most < initial) reader.refuseValue("most", ">= 'initial' = " + numberText(initial));
@@ -66,14 +65,16 @@ struct Asmc::Words {
 template <std::size_t Count>
 Asmc::Loop<Count>::Loop(const ParameterReader& reader, const Words& words)
     : slope_(reader.positiveDefinite({"slope", "Phi_" + words.index, "1/s",
-                                      "how fast the error decays on the sliding surface"})),
+                                      "how fast the error decays on the sliding surface"},
+                                     kDecay.max)),
       gain_(reader.positiveDefinite(
-          {"gain", "Lambda_" + words.index, words.damping, "damping towards the surface"})),
+          {"gain", "Lambda_" + words.index, words.damping, "damping towards the surface"},
+          kPush.max)),
       boundary_layer_(reader.number({"boundary_layer", "varpi_" + words.index, words.rate,
                                      "smooths sgn(s); smaller is stiffer"},
-                                    Range::positive())),
+                                    kLayer)),
       gains_(readGains(reader, words.index, words.push, std::make_index_sequence<Count>())),
-      most_rho_(readMost(reader, words.limit)) {}
+      most_rho_(readMost(reader, words.limit, kPush)) {}
 
 template <std::size_t Count>
 Eigen::Vector3d Asmc::Loop<Count>::output(const Eigen::Vector3d& error,
@@ -124,7 +125,8 @@ Asmc::Asmc(const ParameterReader& reader)
                                            "rad/s",
                                            "N m, N m/|xi|, N m/|xi|^2",
                                            {"most_moment", "rho_q", "N m", "at the most"}}),
-      most_mass_(readMost(reader.child("mass_estimate"), {"most", "m-hat", "kg", "at the most"})),
+      most_mass_(
+          readMost(reader.child("mass_estimate"), {"most", "m-hat", "kg", "at the most"}, kMatter)),
       mass_(readMass(reader.child("mass_estimate"), most_mass_)) {
   report();
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/gain_ranges.h"
 
 namespace aqc {
 namespace {
@@ -22,7 +23,7 @@ CascadedLaw::CascadedLaw(const ParameterReader& reader)
                            Range::positiveUpTo(89.0)),
               reader.number(
                   {"min_lift", "", "N", "least vertical force that decides the commanded attitude"},
-                  Range::positive())},
+                  kPush)},
       error_kind_(readErrorKind(reader)) {}
 
 Wrench CascadedLaw::command(const Sensed& sensed, const SetPoint& set_point, double) noexcept {

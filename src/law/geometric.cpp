@@ -1,6 +1,7 @@
 #include "adaptive_quadrotor_control/law/geometric.h"
 
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/gain_ranges.h"
 
 namespace aqc {
 
@@ -8,14 +9,14 @@ Geometric::Geometric(const ParameterReader& reader, const Vehicle& vehicle)
     : CascadedLaw(reader),
       mass_(vehicle.mass),
       inertia_(vehicle.inertia),
-      position_gain_(reader.vector3({"position_gain", "k_x", "N/m", "stiffness of the position"},
-                                    Range::positive())),
-      velocity_gain_(reader.vector3({"velocity_gain", "k_v", "N s/m", "damping of the velocity"},
-                                    Range::positive())),
-      attitude_gain_(reader.vector3(
-          {"attitude_gain", "k_R", "N m/rad", "stiffness of the attitude"}, Range::positive())),
+      position_gain_(
+          reader.vector3({"position_gain", "k_x", "N/m", "stiffness of the position"}, kPush)),
+      velocity_gain_(
+          reader.vector3({"velocity_gain", "k_v", "N s/m", "damping of the velocity"}, kPush)),
+      attitude_gain_(
+          reader.vector3({"attitude_gain", "k_R", "N m/rad", "stiffness of the attitude"}, kPush)),
       rate_gain_(reader.vector3({"rate_gain", "k_omega", "N m s/rad", "damping of the body rate"},
-                                Range::positive())) {}
+                                kPush)) {}
 
 Eigen::Vector3d Geometric::force(const PositionErrors& errors, const SetPoint& set_point) noexcept {
   return mass_ * (set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ()) -

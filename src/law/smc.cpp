@@ -2,6 +2,7 @@
 
 #include "adaptive_quadrotor_control/law/saturation.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/gain_ranges.h"
 
 namespace aqc {
 
@@ -18,19 +19,17 @@ struct Smc::Words {
 Smc::Loop::Loop(const ParameterReader& reader, const Words& words)
     : slope(reader.vector3({"slope", "Phi_" + words.index, "1/s",
                             "how fast the error decays on the sliding surface"},
-                           Range::positive())),
+                           kDecay)),
       reaching_gain(reader.vector3(
-          {"reaching_gain", "eta_" + words.index, words.push, "push towards the surface"},
-          Range::positive())),
+          {"reaching_gain", "eta_" + words.index, words.push, "push towards the surface"}, kPush)),
       nominal(reader.vector3(
-          {"nominal", words.nominal, words.inertia, "the " + words.told + " it is told"},
-          Range::positive())),
+          {"nominal", words.nominal, words.inertia, "the " + words.told + " it is told"}, kMatter)),
       payload_bound(reader.vector3({"payload_bound", "F_" + words.index, words.inertia,
                                     "what the heaviest payload adds to the " + words.told},
-                                   Range::nonNegative())),
+                                   Range::between(0.0, kMatter.max))),
       boundary_layer(reader.number({"boundary_layer", "varpi_" + words.index, words.rate,
                                     "smooths sgn(s); smaller is stiffer"},
-                                   Range::positive())) {}
+                                   kLayer)) {}
 
 Eigen::Vector3d Smc::Loop::update(const Eigen::Vector3d& error, const Eigen::Vector3d& rate,
                                   const Eigen::Vector3d& feed_forward,

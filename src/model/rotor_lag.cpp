@@ -3,13 +3,10 @@
 #include <cmath>
 
 namespace aqc {
-namespace {
 
-double decay(double dt, double time_constant) {
+double lagDecay(double dt, double time_constant) noexcept {
   return time_constant > 0.0 ? std::exp(-dt / time_constant) : 0.0;
 }
-
-}  // namespace
 
 RotorLag::RotorLag(const Vehicle& vehicle)
     : time_constant_up_(vehicle.time_constant_up),
@@ -19,8 +16,8 @@ RotorLag::RotorLag(const Vehicle& vehicle)
 void RotorLag::turn(const RotorArray& command, double dt) noexcept {
   if (dt != dt_) {  // a fixed step pays for the exponentials once
     dt_ = dt;
-    decay_up_ = decay(dt, time_constant_up_);
-    decay_down_ = decay(dt, time_constant_down_);
+    decay_up_ = lagDecay(dt, time_constant_up_);
+    decay_down_ = lagDecay(dt, time_constant_down_);
   }
   for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
     const double away = speeds_[i] - command[i];

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/model/inertia.h"
 #include "adaptive_quadrotor_control/model/rotor_allocation.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
@@ -27,22 +27,6 @@ std::vector<Rotor> readRotors(const ParameterReader& reader) {
   return rotors;
 }
 
-// No moment of a rigid body exceeds the other two together. Published ones do (RotorS's Firefly by
-// 21 %), so only what must be a typing mistake is refused.
-void checkInertia(const ParameterReader& reader, const Eigen::Matrix3d& inertia) {
-  constexpr double kTolerated = 1.5;
-  const Eigen::Vector3d moments = inertia.diagonal();
-  const double largest = moments.maxCoeff();
-  const double others = moments.sum() - largest;
-  if (largest > kTolerated * others) {
-    reader.refuseValue("inertia",
-                       "a rigid body's, where no moment exceeds the other two together; the "
-                       "largest is " +
-                           numberText(largest / others) + " times these (up to " +
-                           numberText(kTolerated) + " is let pass)");
-  }
-}
-
 }  // namespace
 
 Eigen::Vector2d Rotor::position() const {
@@ -65,24 +49,23 @@ double Vehicle::maxThrust() const {
 Vehicle readVehicle(const ParameterReader& reader) {
   Vehicle vehicle;
   vehicle.name = reader.text("name");
-  vehicle.mass = reader.number("mass", Range::positive());
-  vehicle.inertia = reader.positiveDefinite("inertia");
-  checkInertia(reader, vehicle.inertia);
+  vehicle.mass = reader.number("mass", kVehicleMass);
+  vehicle.inertia = readInertia(reader, kLeastVehicleMoment);
 
   const ParameterReader rotors = reader.child("rotors");
   vehicle.rotors = readRotors(rotors);
-  vehicle.force_constant = rotors.number("force_constant", Range::positive());
-  vehicle.moment_constant = rotors.number("moment_constant", Range::positive());
-  vehicle.max_rotor_speed = rotors.number("max_speed", Range::positive());
+  vehicle.force_constant = rotors.number("force_constant", Range::positiveUpTo(1.0));
+  vehicle.moment_constant = rotors.number("moment_constant", Range::positiveUpTo(10.0));
+  vehicle.max_rotor_speed = rotors.number("max_speed", Range::positiveUpTo(1e5));
   vehicle.time_constant_up = rotors.number("time_constant_up", Range::between(0.0, 10.0));
   vehicle.time_constant_down = rotors.number("time_constant_down", Range::between(0.0, 10.0));
-  vehicle.drag_coefficient = rotors.number("drag_coefficient", Range::nonNegative());
+  vehicle.drag_coefficient = rotors.number("drag_coefficient", Range::between(0.0, 1.0));
   vehicle.rolling_moment_coefficient =
-      rotors.number("rolling_moment_coefficient", Range::nonNegative());
+      rotors.number("rolling_moment_coefficient", Range::between(0.0, 1.0));
 
   const ParameterReader gear = reader.child("landing_gear");
-  vehicle.gear_height = gear.number("height", Range::positive());
-  vehicle.gear_radius = gear.number("radius", Range::positive());
+  vehicle.gear_height = gear.number("height", Range::positiveUpTo(10.0));
+  vehicle.gear_radius = gear.number("radius", Range::positiveUpTo(10.0));
 
   if (!RotorAllocation(vehicle).wellPosed()) {
     rotors.refuseValue("angles_deg", "such that, with the 'directions' " +

@@ -145,8 +145,9 @@ Eigen::Vector3d ParameterReader::vector3(const ParameterKey& key, const Range& r
   return fallback;
 }
 
-Eigen::Matrix3d ParameterReader::positiveDefinite(const ParameterKey& key) const {
-  const std::vector<double> v = numbers(key, 0, Range::any());
+Eigen::Matrix3d ParameterReader::positiveDefinite(const ParameterKey& key, double most) const {
+  const Range entry = Range::between(-most, most);
+  const std::vector<double> v = numbers(key, 0, entry);
   if (v.size() != 3 && v.size() != 6) {
     refuse(key.name, "has " + std::to_string(v.size()) +
                          " numbers; it must be [xx, yy, zz] or [xx, yy, zz, xy, xz, yz]");
@@ -158,7 +159,7 @@ Eigen::Matrix3d ParameterReader::positiveDefinite(const ParameterKey& key) const
     matrix(1, 2) = matrix(2, 1) = v[5];
   }
   requirePositiveDefinite(key.name, matrix);
-  keepNumbers(alongAxes(key, v.size()), v.size() == 3 ? Range::positive() : Range::any(), v);
+  keepNumbers(alongAxes(key, v.size()), v.size() == 3 ? Range::positiveUpTo(most) : entry, v);
   return matrix;
 }
 

@@ -14,6 +14,8 @@ const char* toString(Crash crash) {
       return "rotor strike";
     case Crash::kWallStrike:
       return "wall strike";
+    case Crash::kDiverged:
+      return "diverged: beyond 1e4 m/s or 1e4 rad/s or 1e6 m";
   }
   return "unknown";
 }

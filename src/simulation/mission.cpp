@@ -12,11 +12,11 @@
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/reference/time_allocation.h"
 #include "adaptive_quadrotor_control/simulation/plant_action_reader.h"
+#include "simulation/ranges.h"
 
 namespace aqc {
 namespace {
 
-const Range kTime = Range::between(0.0, 1e6);
 const Range kYaw = Range::between(-3600.0, 3600.0);  // [deg]
 
 std::string print(Nanoseconds time) {
@@ -25,7 +25,7 @@ std::string print(Nanoseconds time) {
 
 Waypoint readWaypoint(const ParameterReader& point, double default_yaw) {
   Waypoint waypoint;
-  waypoint.position = point.vector3("position", Range::any());
+  waypoint.position = point.vector3("position", kPlace);
   waypoint.yaw = point.angle("yaw_deg", kYaw, default_yaw);
   return waypoint;
 }
@@ -93,7 +93,7 @@ class MissionBuilder {
     const Nanoseconds time = beginLeg(entry);
     const double yaw = entry.angle("yaw_deg", kYaw, present_.yaw);
     present_ = SetPoint();
-    present_.position = entry.vector3("position", Range::any());
+    present_.position = entry.vector3("position", kPlace);
     present_.yaw = yaw;
     mission_.set_points.push_back({time, present_});
     leg_end_ = time;
@@ -159,8 +159,8 @@ class MissionBuilder {
     } catch (const std::invalid_argument& error) {
       entry.refuse("until", std::string("is too late: ") + error.what());
     }
-    const Eigen::Vector3d middle = entry.vector3("position", Range::any());
-    const Eigen::Vector3d amplitude = entry.vector3("amplitude", Range::any());
+    const Eigen::Vector3d middle = entry.vector3("position", kPlace);
+    const Eigen::Vector3d amplitude = entry.vector3("amplitude", kPlace);
     const double frequency = entry.number("angular_frequency", kAngularFrequency);
     SetPoint point;
     point.yaw = entry.angle("yaw_deg", kYaw, present_.yaw);

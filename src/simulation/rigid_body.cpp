@@ -22,12 +22,23 @@ State RigidBody::stateOf(const Motion& motion) const noexcept {
 }
 
 void RigidBody::setState(const State& state) noexcept {
+  const Motion before = motion_;
   motion_.attitude = PlainQuaternion::from(state.attitude);
   motion_.body_rate = Plain3::from(state.body_rate);
   const PlainRotation R(motion_.attitude);
   const Plain3 centre = Plain3::from(centre_);
   motion_.position = Plain3::from(state.position) + R.toWorld(centre);
   motion_.velocity = Plain3::from(state.velocity) + R.toWorld(cross(motion_.body_rate, centre));
+  const double half_norm_error = 0.5 * (1.0 - state.attitude.squaredNorm());
+  if (!(absurdity(motion_, half_norm_error) < 1.0)) standStill(before);
+}
+
+void RigidBody::standStill(const Motion& last) noexcept {
+  const auto attitude = PlainQuaternion::from(last.attitude.eigen().normalized());
+  motion_ = Motion{last.position, Plain3{}, attitude, Plain3{}};
+  felt_ = Felt{attitude, Plain3{}, Plain3{}, Plain3{}, Plain3::from(centre_)};
+  bearable_ = 0.0;
+  if (crash_ == Crash::kNone) crash_ = Crash::kDiverged;
 }
 
 Eigen::Vector3d RigidBody::specificForce() const noexcept {

@@ -24,6 +24,25 @@ struct Motion {
   Motion operator+(const Motion& other) const;
 };
 
+/// Below 1 for a motion that a simulation can go on from: the squares of velocity, body rate,
+/// distance and of half the error of the attitude's squared norm, each over its bound. The last one
+/// says whether a step can follow the spin.
+inline double absurdity(const Motion& motion, double half_norm_error) {
+  constexpr double kMostSpeed = 1e4;     // [m/s], [rad/s]
+  constexpr double kMostDistance = 1e6;  // [m]
+  // RK4's at 2.4 rad a step. Made nearly unit, what has less is unit within 1e-3: a valid State.
+  constexpr double kMostNormError = 0.02;
+  constexpr double kPerSpeed = 1.0 / (kMostSpeed * kMostSpeed);
+  constexpr double kPerDistance = 1.0 / (kMostDistance * kMostDistance);
+  constexpr double kPerNormError = 1.0 / (kMostNormError * kMostNormError);
+  const Plain3& v = motion.velocity;
+  const Plain3& w = motion.body_rate;
+  const Plain3& p = motion.position;
+  const Pair across = kPerSpeed * (v.xy * v.xy + w.xy * w.xy) + kPerDistance * (p.xy * p.xy);
+  const Pair along = kPerSpeed * (v.zz * v.zz + w.zz * w.zz) + kPerDistance * (p.zz * p.zz);
+  return across[0] + across[1] + along[0] + kPerNormError * half_norm_error * half_norm_error;
+}
+
 /// All that a step of RigidPlant reads and writes: rotors, motion of the whole, contact.
 class RigidBody {
  public:
@@ -36,6 +55,7 @@ class RigidBody {
   /// is a part; leaves the motion of the centre of mass as it is. To be called before all others.
   void setMass(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& inertia,
                const Payload* payload);
+  /// A state that is not finite or absurd makes it stand still where it was.
   void setState(const State& state) noexcept;
   void setWind(const Eigen::Vector3d& velocity) noexcept { wind_ = Plain3::from(velocity); }
   void setDisturbance(const ForceMoment& disturbance) noexcept;
@@ -77,6 +97,8 @@ class RigidBody {
   ForceMoment contactForce(Motion motion) const noexcept;
   Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
   void judgeContact() noexcept;
+  // Diverged: from now on no motion is bearable, and each step ends where it began.
+  void standStill(const Motion& last) noexcept;
 
   Vehicle vehicle_;  // but not its mass and inertia, which are those of the whole
   Contact contact_;
@@ -88,7 +110,7 @@ class RigidBody {
   Plain33 inverse_inertia_ = {};
   std::array<Hub, kMaxRotors> hubs_ = {};
 
-  Motion motion_ = {};
+  Motion motion_ = {{}, {}, {Pair{0.0, 0.0}, Pair{0.0, 1.0}}, {}};
   // At the start of the last step; before the first one it falls freely.
   Felt felt_ = {{}, {}, {Pair{0.0, 0.0}, both(-kGravity)}, {}, {}};
   RotorArray speeds_;
@@ -99,6 +121,7 @@ class RigidBody {
   bool near_contact_ = true;
   bool touching_ = false;
   Crash crash_ = Crash::kNone;
+  double bearable_ = 1.0;                     // absurdity() of a motion; 0 once it has diverged
   double step_ = 0.0;                         // of the decay factors [s]
   std::array<double, 2> decay_ = {1.0, 1.0};  // exp(-dt / (2 tau)), down and up
 };

@@ -2,16 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_quadrotor_control/model/rotor_lag.h"
 #include "simulation/rigid_body.h"
 
 namespace aqc::kernel {
 namespace {
 
-// Normalises a quaternion whose norm an integration step has moved a little: one step of Newton's
-// method, which leaves 3/8 of the square of the norm's relative error, without root and division.
-PlainQuaternion nearlyUnit(const PlainQuaternion& q) {
-  const Pair scale = 1.5 - 0.5 * (dot(q.xy, q.xy) + dot(q.zw, q.zw));
-  return {scale * q.xy, scale * q.zw};
+// Makes a quaternion nearly unit whose norm an integration step has moved a little, times this: one
+// step of Newton's method, which leaves 3/8 of the square of the norm's relative error, without
+// root and division.
+Pair unitScale(const PlainQuaternion& q) {
+  return 1.5 - 0.5 * (dot(q.xy, q.xy) + dot(q.zw, q.zw));
 }
 
 }  // namespace
@@ -103,8 +104,8 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
                                                                double dt) noexcept {
   if (dt != step_) {  // a fixed step pays for the exponentials once
     step_ = dt;
-    decay_[1] = std::exp(-0.5 * dt / vehicle_.time_constant_up);
-    decay_[0] = std::exp(-0.5 * dt / vehicle_.time_constant_down);
+    decay_[1] = lagDecay(0.5 * dt, vehicle_.time_constant_up);
+    decay_[0] = lagDecay(0.5 * dt, vehicle_.time_constant_down);
   }
   RotorArray half(speeds_.size());
   for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
@@ -136,9 +137,11 @@ void RigidBody::step(const RotorArray& command, double dt) noexcept {
   const Motion middle = k2 + k3;
   felt_ = {start.attitude, start.body_rate, k1.velocity, k1.body_rate, Plain3::from(centre_)};
   motion_ = start.after(dt / 6.0, k1 + middle + middle + k4);
-  motion_.attitude = nearlyUnit(motion_.attitude);
+  const Pair scale = unitScale(motion_.attitude);
+  motion_.attitude = {scale * motion_.attitude.xy, scale * motion_.attitude.zw};
 
   touching_ = false;
+  if (!(absurdity(motion_, scale[0] - 1.0) < bearable_)) return standStill(start);
   if (near_contact_) judgeContact();
 }
 

@@ -5,16 +5,15 @@
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "simulation/ranges.h"
 
 namespace aqc {
 namespace {
 
-constexpr double kLongest = 1e6;  // flight [s]
-
 RmsErrors readPublished(const ParameterReader& reader) {
   RmsErrors errors;
-  errors.position = reader.vector3("position", Range::nonNegative());
-  errors.attitude = reader.vector3("attitude_deg", Range::nonNegative());
+  errors.position = reader.vector3("position", Range::between(0.0, kPlace.max));
+  errors.attitude = reader.vector3("attitude_deg", Range::between(0.0, 360.0));
   return errors;
 }
 
@@ -40,7 +39,7 @@ void checkDuration(const ParameterReader& reader, const Scenario& scenario) {
 
 // RMS errors count from there to the end.
 Nanoseconds readMetricsFrom(const ParameterReader& reader, Nanoseconds duration) {
-  const Nanoseconds from = fromSeconds(reader.number("from", Range::between(0.0, kLongest)));
+  const Nanoseconds from = fromSeconds(reader.number("from", kTime));
   if (from >= duration) {
     reader.refuseValue("from",
                        "before the end of the flight at " + numberText(toSeconds(duration)) + " s");
@@ -72,7 +71,7 @@ Scenario readScenario(const ParameterReader& reader) {
   scenario.title = reader.text("title");
   scenario.vehicle = reader.text("vehicle");
   scenario.controllers = reader.texts("controllers");
-  scenario.duration = fromSeconds(reader.number("duration", Range::positiveUpTo(kLongest)));
+  scenario.duration = fromSeconds(reader.number("duration", Range::positiveUpTo(kTime.max)));
   scenario.world = readWorld(reader);
   scenario.mission = readMission(reader, scenario.world.payloads, setPointAt(scenario.world.start),
                                  readPeriod(reader, "set_point_rate"));

@@ -3,11 +3,11 @@
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/world.h"
+#include "simulation/ranges.h"
 
 namespace aqc {
 namespace {
 
-const Range kTime = Range::between(0.0, 1e6);     // [s]
 const Range kDelay = Range::between(0.0, 100.0);  // [s]
 const Range kOffset = Range::between(-1e9, 1e9);  // of a stamp [s]
 const Range kShare = Range::between(0.0, 1.0);

@@ -3,13 +3,14 @@
 #include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/rigid_plant.h"
+#include "simulation/ranges.h"
 
 namespace aqc {
 namespace {
 
 State readStart(const ParameterReader& reader) {
   State start;
-  start.position = reader.vector3("position", Range::any());
+  start.position = reader.vector3("position", kPlace);
   const Range tilt = Range::between(-89.0, 89.0);
   const double roll = reader.angle("roll_deg", tilt, 0.0);
   const double pitch = reader.angle("pitch_deg", tilt, 0.0);
@@ -33,14 +34,14 @@ void readPayloads(const ParameterReader& reader, World& world) {
       entry.refuse("place", "is " + entry.valueText("place") +
                                 ", on the ground, but 'ground' is false; leave one of them out");
     }
-    const std::vector<double> place = entry.numbers("place", 2, Range::any());
+    const std::vector<double> place = entry.numbers("place", 2, kPlace);
     const Eigen::Vector3d position(place[0], place[1], 0.5 * payload.size.z());
     world.cargo.push_back({name, payload, position, Eigen::Vector3d::Zero()});
   }
 }
 
 Box readBox(const ParameterReader& reader) {
-  Box box{reader.vector3("min", Range::any()), reader.vector3("max", Range::any())};
+  Box box{reader.vector3("min", kPlace), reader.vector3("max", kPlace)};
   if (!((box.max - box.min).array() > 0.0).all()) {
     reader.refuseValue("max", "above 'min' " + reader.valueText("min") + " in every axis");
   }

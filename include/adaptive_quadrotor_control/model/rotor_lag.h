@@ -4,6 +4,10 @@
 
 namespace aqc {
 
+/// What is left after `dt` [s] of a rotor's distance from its command: exp(-dt / tau), and 0 for a
+/// time constant tau of 0 [s].
+double lagDecay(double dt, double time_constant) noexcept;
+
 /// Where the rotors are, predicted from what they were told: each follows its command with the
 /// vehicle's time constant up or down, d omega_i/dt = (omega_i,cmd - omega_i) / tau, solved exactly
 /// for a command that is held.

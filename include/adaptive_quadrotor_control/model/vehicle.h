@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "adaptive_quadrotor_control/parameters/schema.h"
+
 namespace aqc {
 
 class ParameterReader;
@@ -46,8 +48,19 @@ struct Vehicle {
   std::array<Eigen::Vector2d, 4> feet() const;
 };
 
-/// Reads and validates a vehicle: see config/vehicle/*.yaml for the names and their meaning.
-/// Throws ParameterError, also when the rotors cannot give thrust and every moment independently.
+/// Of a multirotor alone [kg]: from a gram, a tenth of the lightest ones, to a tonne, twice the
+/// heaviest ones.
+inline const Range kVehicleMass = Range::between(1e-3, 1e3);
+/// The least principal moment of inertia [kg m^2]: a gram 1 mm away.
+constexpr double kLeastVehicleMoment = 1e-9;
+
+/// Reads and validates a vehicle: see config/vehicle/*.yaml for the names and their meaning. Every
+/// number has an upper bound that leaves room for a multirotor of 10 g as well as for one of 500
+/// kg: arms and landing gear of 10 m, time constants of 10 s, rotors of 1e5 rad/s (ten times the
+/// fastest ones). A force constant of 1 N s^2/rad^2 is a hundred times that of a rotor of 3 m; no
+/// rotor's drag moment is that of its thrust 10 m away; 1 N s^2/(rad m) of rotor drag and 1 N
+/// s^2/rad of rolling moment are ten thousand times a small quadrotor's. Throws ParameterError,
+/// also when the rotors cannot give thrust and every moment independently.
 Vehicle readVehicle(const ParameterReader& reader);
 
 /// The vehicle of a YAML file. Throws ParameterError.

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -59,9 +60,10 @@ class ParameterReader {
   Eigen::Vector3d vector3(const ParameterKey& key, const Range& range) const;
   Eigen::Vector3d vector3(const ParameterKey& key, const Range& range,
                           const Eigen::Vector3d& fallback) const;
-  /// Symmetric positive definite: [xx, yy, zz] or [xx, yy, zz, xy, xz, yz]. In the schema the
-  /// entries are x, y, z, xy, xz, yz.
-  Eigen::Matrix3d positiveDefinite(const ParameterKey& key) const;
+  /// Symmetric positive definite: [xx, yy, zz] or [xx, yy, zz, xy, xz, yz], no entry beyond `most`.
+  /// In the schema the entries are x, y, z, xy, xz, yz.
+  Eigen::Matrix3d positiveDefinite(const ParameterKey& key,
+                                   double most = std::numeric_limits<double>::infinity()) const;
 
   /// A nested map.
   ParameterReader child(const std::string& key) const;

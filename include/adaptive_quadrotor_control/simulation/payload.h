@@ -18,8 +18,8 @@ struct Payload {
 /// Inertia of a solid box of even density about its centre [kg m^2].
 Eigen::Matrix3d boxInertia(double mass, const Eigen::Vector3d& size);
 
-/// Reads `mass`, `size`, `offset` and, if not that of a solid box, `inertia`. Throws
-/// ParameterError.
+/// Reads `mass`, up to a tonne, `size` and `offset`, up to 10 m in each axis, and, if not that of a
+/// solid box, `inertia` (readInertia()). Throws ParameterError.
 Payload readPayload(const ParameterReader& reader);
 
 }  // namespace aqc

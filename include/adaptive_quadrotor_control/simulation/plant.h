@@ -44,7 +44,8 @@ class Plant {
   virtual bool hasGround() const noexcept = 0;
   /// Whether anything touches the ground or a wall.
   virtual bool touching() const noexcept = 0;
-  /// The first crash, or Crash::kNone.
+  /// The first crash, or Crash::kNone. A plant whose motion diverges, under a force that is absurd
+  /// for its mass, say, has crashed, too: its state stays finite whatever acts on it.
   virtual Crash crash() const noexcept = 0;
 
   /// Joins a payload, which moved with `velocity` in W [m/s] and did not spin until now, to the

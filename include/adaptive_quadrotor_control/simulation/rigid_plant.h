@@ -19,6 +19,10 @@ class RigidBody;
 /// a command held over the step) and stay in [0, omega_max]. The payload is a second rigid body
 /// that is fixed to the first: mass, centre of mass and inertia of the whole change, momentum does
 /// not. step() allocates nothing.
+///
+/// A motion beyond 1e4 m/s, 1e4 rad/s or 1e6 m, one that is not finite, and a spin that a step of
+/// RK4 cannot follow have diverged: the vehicle stands still from then on where it was last within
+/// these bounds, with Crash::kDiverged unless it had crashed before.
 class RigidPlant final : public Plant {
  public:
   /// Without `ground` nothing holds the vehicle up at z = 0.

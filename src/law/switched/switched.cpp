@@ -44,7 +44,7 @@ Switched::Switched(const ParameterReader& reader, const Vehicle& vehicle)
       switch_(readSubsystemSwitch(reader, law_)),
       velocity_slope_(reader.number(
           {"acceleration_cut_off", "", "Hz", "of the derivatives of body rate and velocity"},
-          Range::positive())),
+          Range::positiveUpTo(1e4))),
       rate_slope_(velocity_slope_) {
   report();
 }

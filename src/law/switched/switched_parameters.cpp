@@ -8,18 +8,24 @@
 
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/gain_ranges.h"
 
 namespace aqc {
 namespace {
 
-// Symmetric positive definite: the diagonal, or all numbers row by row.
+// Upper bounds of what gain_ranges.h has none for: at least twenty times what the thesis prints.
+constexpr double kMostErrorGain = 1e5;  // [1/s^2]
+constexpr double kMostWeight = 1e6;
+const Range kLearned = Range::positiveUpTo(1e6);
+
+// Symmetric positive definite: the diagonal, or all numbers row by row; no entry beyond `most`.
 template <int Size>
-Eigen::Matrix<double, Size, Size> readMatrix(const ParameterReader& reader,
-                                             const ParameterKey& key) {
+Eigen::Matrix<double, Size, Size> readMatrix(const ParameterReader& reader, const ParameterKey& key,
+                                             double most) {
   constexpr std::size_t kDiagonal = Size;
   constexpr std::size_t kFull = kDiagonal * kDiagonal;
   using Matrix = Eigen::Matrix<double, Size, Size>;
-  const std::vector<double> v = reader.numbers(key, 0, Range::any());
+  const std::vector<double> v = reader.numbers(key, 0, Range::between(-most, most));
   if (v.size() != kDiagonal && v.size() != kFull) {
     reader.refuse(key.name, "has " + std::to_string(v.size()) + " numbers; it must have " +
                                 std::to_string(kDiagonal) + " (the diagonal) or " +
@@ -33,18 +39,20 @@ Eigen::Matrix<double, Size, Size> readMatrix(const ParameterReader& reader,
   }
   if (matrix != matrix.transpose()) reader.refuseValue(key.name, "symmetric");
   reader.requirePositiveDefinite(key.name, matrix);
-  if (v.size() == kDiagonal) reader.numbers(key, kDiagonal, Range::positive());  // for the schema
+  if (v.size() == kDiagonal)
+    reader.numbers(key, kDiagonal, Range::positiveUpTo(most));  // for the schema
   return matrix;
 }
 
-Eigen::Vector4d readVector(const ParameterReader& reader, const ParameterKey& key) {
-  return Eigen::Vector4d(reader.numbers(key, 4, Range::positive()).data());
+Eigen::Vector4d readVector(const ParameterReader& reader, const ParameterKey& key,
+                           const Range& range) {
+  return Eigen::Vector4d(reader.numbers(key, 4, range).data());
 }
 
 // Eq. init: a gain that decays towards its drive must start above it.
 double readInitial(const ParameterReader& reader, const ParameterKey& key, double drive,
                    const std::string& drive_key) {
-  const double initial = reader.number(key, Range::positive());
+  const double initial = reader.number(key, kLearned);
   if (!(initial > drive)) {
     reader.refuseValue(key.name,
                        "> '" + drive_key + "' = " + numberText(drive) + " (thesis eq. init)");
@@ -66,21 +74,24 @@ SubsystemParameters readSubsystem(const ParameterReader& reader) {
   SubsystemParameters p;
   const std::vector<std::string> coordinates = {"z", "roll", "pitch", "yaw"};
   p.error_gain =
-      readMatrix<4>(reader, {"error_gain", "K_1", "1/s^2", "stiffness of the error", coordinates});
-  p.rate_gain =
-      readMatrix<4>(reader, {"rate_gain", "K_2", "1/s", "damping of the error", coordinates});
-  p.input_gain =
-      readMatrix<4>(reader, {"input_gain", "D", "kg, kg m, kg m, kg m^2",
-                             "from the acceleration asked for to the command", coordinates});
-  p.weight = readMatrix<8>(reader, {"weight", "Q", "", "of the errors and of their rates"});
-  p.leak = readVector(reader, {"leak", "alpha", "1/s", "forgetting of theta-hat; > varrho / 2"});
-  p.gamma_drive =
-      reader.number({"gamma_drive", "epsilon", "", "what gamma decays to"}, Range::positive());
-  p.zeta_drive =
-      reader.number({"zeta_drive", "bar-epsilon", "", "what zeta decays to"}, Range::positive());
-  p.initial_theta = readVector(reader, {"initial_theta", "theta-hat", "", "at the start"});
+      readMatrix<4>(reader, {"error_gain", "K_1", "1/s^2", "stiffness of the error", coordinates},
+                    kMostErrorGain);
+  p.rate_gain = readMatrix<4>(
+      reader, {"rate_gain", "K_2", "1/s", "damping of the error", coordinates}, kDecay.max);
+  p.input_gain = readMatrix<4>(reader,
+                               {"input_gain", "D", "kg, kg m, kg m, kg m^2",
+                                "from the acceleration asked for to the command", coordinates},
+                               kMatter.max);
+  p.weight =
+      readMatrix<8>(reader, {"weight", "Q", "", "of the errors and of their rates"}, kMostWeight);
+  p.leak =
+      readVector(reader, {"leak", "alpha", "1/s", "forgetting of theta-hat; > varrho / 2"}, kDecay);
+  p.gamma_drive = reader.number({"gamma_drive", "epsilon", "", "what gamma decays to"}, kLearned);
+  p.zeta_drive = reader.number({"zeta_drive", "bar-epsilon", "", "what zeta decays to"}, kLearned);
+  p.initial_theta =
+      readVector(reader, {"initial_theta", "theta-hat", "", "at the start"}, kLearned);
   if (reader.has("most_theta")) {
-    p.most_theta = readVector(reader, {"most_theta", "theta-hat", "", "at the most"});
+    p.most_theta = readVector(reader, {"most_theta", "theta-hat", "", "at the most"}, kLearned);
     if (!(p.most_theta.array() >= p.initial_theta.array()).all()) {
       reader.refuseValue("most_theta", ">= 'initial_theta' in every entry");
     }
@@ -130,12 +141,12 @@ SwitchedLaw readSwitchedLaw(const ParameterReader& reader, int most) {
   return SwitchedLaw(subsystems,
                      reader.number({"boundary_layer", "varpi", "",
                                     "of the filtered error r, which mixes m/s and rad/s"},
-                                   Range::positive(), 0.1));
+                                   kLayer, 0.1));
 }
 
 SubsystemSwitch readSubsystemSwitch(const ParameterReader& reader, const SwitchedLaw& law) {
-  const double kappa_ratio =
-      reader.number({"kappa_ratio", "kappa / varrho", "", "in (0, 1)"}, Range::positive(), 0.9);
+  const double kappa_ratio = reader.number({"kappa_ratio", "kappa / varrho", "", "in (0, 1)"},
+                                           Range::positiveUpTo(1.0), 0.9);
   if (!(kappa_ratio < 1.0)) {
     reader.refuseValue("kappa_ratio", "> 0 and < 1 (thesis: kappa < varrho)");
   }

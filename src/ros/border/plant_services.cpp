@@ -116,7 +116,7 @@ ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request) {
   tree["moment"] = toYaml(request.moment);
   tree["angular_frequency"] = toYaml(request.angular_frequency);
   const ParameterReader reader(tree, "disturbance");
-  reader.number("for_so_long", Range::positive());  // taken as it came: seconds may round it
+  reader.number("for_so_long", kDisturbed);  // taken as it came: seconds may round it
   return readDisturbance(reader, request.for_so_long.toNSec());
 }
 

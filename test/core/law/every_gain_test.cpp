@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +9,8 @@
 #include "adaptive_quadrotor_control/law/switched/subsystem_switch.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "support/fixtures.h"
+#include "support/leaves.h"
+#include "support/refusal.h"
 
 // A gain that is read and then forgotten would look well wherever gains are shown: every number of
 // config/controller must change what its law does.
@@ -60,25 +62,15 @@ class Diary {
   std::vector<double> numbers_;
 };
 
-Diary diary(const YAML::Node& gains) {
+std::unique_ptr<ControlLaw> made(const YAML::Node& gains) {
   const ParameterReader reader(gains, "gains");
-  const auto law = makeLaw(reader, test::pelican());
+  std::unique_ptr<ControlLaw> law = makeLaw(reader, test::pelican());
   reader.finish();
-  return Diary(*law);
+  return law;
 }
 
-// Calls `visit` with the name of every number and choice below `node`, and the number itself.
-void forEachLeaf(const YAML::Node& node, const std::string& name,
-                 const std::function<void(const std::string&, YAML::Node)>& visit) {
-  if (node.IsScalar()) return visit(name, node);
-  std::size_t index = 0;
-  for (const auto& entry : node) {
-    if (node.IsMap()) {
-      forEachLeaf(entry.second, name + "/" + entry.first.as<std::string>(), visit);
-    } else {
-      forEachLeaf(entry, name + "[" + std::to_string(index++) + "]", visit);
-    }
-  }
+Diary diary(const YAML::Node& gains) {
+  return Diary(*made(gains));
 }
 
 // Another value that the law takes.
@@ -95,7 +87,7 @@ TEST_P(EveryGain, ChangesWhatTheLawDoes) {
   const Diary before = diary(gains);
   EXPECT_TRUE(before == diary(gains)) << "the same gains do the same";
   int count = 0;
-  forEachLeaf(gains, "", [&](const std::string& name, YAML::Node leaf) {
+  test::forEachLeaf(gains, "", [&](const std::string& name, YAML::Node leaf) {
     if (name == "/law") return;
     const std::string value = leaf.Scalar();
     leaf = changed(value);
@@ -104,6 +96,49 @@ TEST_P(EveryGain, ChangesWhatTheLawDoes) {
     ++count;
   });
   EXPECT_GT(count, 10);
+}
+
+// With the options of laws that have them.
+YAML::Node allGains(const std::string& law) {
+  YAML::Node gains = loadYamlFile(test::configFile("controller/" + law));
+  if (law == "asmc") {
+    gains["position"]["most_gains"] = YAML::Load("[20.0, 20.0]");
+    gains["position"]["most_force"] = 20.0;
+    gains["mass_estimate"]["most"] = 4.0;
+    gains["attitude"]["most_gains"] = YAML::Load("[1.0, 1.0, 1.0]");
+    gains["attitude"]["most_moment"] = 0.3;
+  } else if (law == "switched") {
+    gains["subsystems"][0]["most_theta"] = YAML::Load("[1e3, 1e3, 1e3, 1e3]");
+    gains["dwell_time"] = 1000.0;
+  }
+  return gains;
+}
+
+TEST_P(EveryGain, IsRefusedByNameWhenItIsAbsurd) {
+  YAML::Node gains = allGains(GetParam());
+  made(gains);
+  test::forEachNumber(gains, "gains", [&](const std::string& name, YAML::Node leaf) {
+    const std::string value = leaf.Scalar();
+    for (const char* absurd : {"1e300", "1e12"}) {
+      leaf = absurd;
+      test::expectRefusal([&] { made(gains); }, {"'" + name + "'", absurd});
+    }
+    leaf = value;
+  });
+}
+
+// Vehicles far heavier than those of config/ ask for larger gains.
+TEST_P(EveryGain, MayBeTwentyTimesWhatShipped) {
+  YAML::Node gains = allGains(GetParam());
+  test::forEachNumber(gains, "gains", [&](const std::string& name, YAML::Node leaf) {
+    for (const char* bounded : {"max_tilt_deg", "kappa_ratio", "initial_subsystem"}) {
+      if (name.find(bounded) != std::string::npos) return;
+    }
+    const std::string value = leaf.Scalar();
+    leaf = std::to_string(20.0 * std::stod(value));
+    EXPECT_NO_THROW(made(gains)) << name << " " << leaf.Scalar();
+    leaf = value;
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, EveryGain, ::testing::ValuesIn(lawNames()),

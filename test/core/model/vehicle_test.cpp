@@ -71,11 +71,12 @@ TEST(Vehicle, ReadsEveryVehicleFile) {
 }
 
 TEST(Vehicle, RefusesMassesThatAreNotPositive) {
-  expectRefused("mass: 1.0", "mass: -2", {"'vehicle/mass'", "'-2'", "a finite number > 0"});
-  expectRefused("mass: 1.0", "mass: 0", {"'vehicle/mass'", "'0'", "> 0"});
+  expectRefused("mass: 1.0", "mass: -2",
+                {"'vehicle/mass'", "'-2'", "a finite number >= 0.001 and <= 1000"});
+  expectRefused("mass: 1.0", "mass: 0", {"'vehicle/mass'", "'0'", ">= 0.001"});
   expectRefused("mass: 1.0", "mass: .inf", {"'vehicle/mass'", "'.inf'", "finite"});
   expectRefused("mass: 1.0", "mass: heavy", {"'vehicle/mass'", "'heavy'"});
-  expectRefused("mass: 1.0\n", "", {"'vehicle/mass'", "missing", "> 0"});
+  expectRefused("mass: 1.0\n", "", {"'vehicle/mass'", "missing", ">= 0.001"});
 }
 
 TEST(Vehicle, RefusesInertiasThatNoBodyHas) {

@@ -157,7 +157,7 @@ TEST(Mission, SwitchesBodiesAndDisturbances) {
   ASSERT_EQ(mission.events.size(), 3u);
   const auto& body = std::get<SetBody>(mission.events[0].action);
   EXPECT_EQ(body.mass, 1.7);
-  EXPECT_EQ(body.inertia(0, 0), 0.032) << "belongs to no rigid body, and is taken all the same";
+  EXPECT_EQ(body.inertia(0, 0), 0.032) << "no rigid body's by 6 %, and is taken all the same";
   const auto& sine = std::get<ApplyDisturbance>(mission.events[1].action);
   EXPECT_EQ(mission.events[1].time, 2 * kSecond);
   EXPECT_EQ(sine.duration, 2 * kSecond + kSecond / 2);
@@ -174,9 +174,15 @@ TEST(Mission, RefusesSenselessSwitchesBodiesAndDisturbances) {
   expectRefused("  - switch: {at: 1, subsystem: 9}\n",
                 {"'scenario/mission[0]/switch/subsystem'", "'9'", ">= 1 and <= 8"});
   expectRefused("  - body: {at: 1, mass: 0, inertia: [1, 1, 1]}\n",
-                {"'scenario/mission[0]/body/mass'", "'0'", "> 0"});
+                {"'scenario/mission[0]/body/mass'", "'0'", ">= 0.001"});
   expectRefused("  - body: {at: 1, mass: 1, inertia: [1, -1, 1]}\n",
                 {"'scenario/mission[0]/body/inertia", "-1"});
+  expectRefused("  - body: {at: 1, mass: 1, inertia: [1, 1, 4]}\n",
+                {"'scenario/mission[0]/body/inertia' is [1, 1, 4]", "2 times these"});
+  expectRefused("  - wind: {at: 1, velocity: [0, 201, 0]}\n",
+                {"'scenario/mission[0]/wind/velocity[1]'", "201", ">= -200 and <= 200"});
+  expectRefused("  - disturbance: {at: 1, until: 2, moment: [0, 0, 1e308]}\n",
+                {"'scenario/mission[0]/disturbance/moment[2]'", "1e308", "<= 100000"});
   expectRefused("  - disturbance: {at: 1, until: 1, force: [0, 0, 1]}\n",
                 {"'scenario/mission[0]/disturbance/until'", "1 s", "after"});
   expectRefused(
@@ -245,7 +251,9 @@ TEST(Mission, RefusesValuesOutOfRange) {
   expectRefused("  - path: {at: 1, through: []}\n",
                 {"'scenario/mission[0]/path/through'", "at least one waypoint"});
   expectRefused("  - path: {at: 1, through: [{at: 2, position: [1.0e+308, 0, 1]}]}\n",
-                {"'scenario/mission[0]/path/through' cannot be flown", "overflow"});
+                {"'scenario/mission[0]/path/through[0]/position[0]'", "1.0e+308", "<= 100000"});
+  expectRefused("  - path: {at: 1, through: [{at: 900000, position: [0, 0, 1]}]}\n",
+                {"'scenario/mission[0]/path/through' cannot be flown", "set points"});
   expectRefused("  - path: {at: 1}\n", {"'scenario/mission[0]/path/through'", "missing"});
   expectRefused("  - hold: {}\n", {"'scenario/mission[0]/hold/for'", "missing"});
 }

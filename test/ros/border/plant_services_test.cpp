@@ -20,16 +20,17 @@ class PlantServices : public testing::Test {
   double number(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
-  // Of any size, from 1e-6 to 1e3.
-  double positive() { return std::pow(10.0, number(-6.0, 3.0)); }
+  // Of any size within six decades.
+  double positive(double most = 1e3) { return most * std::pow(10.0, number(-6.0, 0.0)); }
   Eigen::Vector3d vector(double limit) {
     return {number(-limit, limit), number(-limit, limit), number(-limit, limit)};
   }
-  // Symmetric positive definite, all entries other than zero.
+  // Of some points of mass, all entries other than zero.
   Eigen::Matrix3d inertia() {
-    Eigen::Matrix3d root;
-    root << vector(1.0), vector(1.0), vector(1.0);
-    Eigen::Matrix3d matrix = positive() * (root * root.transpose());
+    Eigen::Matrix3d points;
+    points << vector(1.0), vector(1.0), vector(1.0);
+    const Eigen::Matrix3d spread = points * points.transpose();
+    Eigen::Matrix3d matrix = positive() * (spread.trace() * Eigen::Matrix3d::Identity() - spread);
     matrix.diagonal() *= 1.1;  // away from the edge
     return matrix.selfadjointView<Eigen::Lower>();
   }
@@ -50,7 +51,7 @@ TEST_F(PlantServices, CarryAPayloadWithItsWholeInertia) {
   for (int i = 0; i < kTrials; ++i) {
     AttachPayload attach{"box " + std::to_string(i), {}};
     attach.payload.mass = positive();
-    attach.payload.size = {positive(), positive(), positive()};
+    attach.payload.size = {positive(10.0), positive(10.0), positive(10.0)};
     attach.payload.offset = vector(10.0);
     attach.payload.inertia = inertia();
     const AttachPayload heard = sent(attach);
@@ -64,7 +65,7 @@ TEST_F(PlantServices, CarryAPayloadWithItsWholeInertia) {
 
 TEST_F(PlantServices, CarryABodyWithItsWholeInertia) {
   for (int i = 0; i < kTrials; ++i) {
-    const SetBody body{positive(), inertia()};
+    const SetBody body{1e-3 + positive(900.0), inertia()};
     const SetBody heard = sent(body);
     EXPECT_EQ(heard.mass, body.mass);
     EXPECT_EQ(heard.inertia, body.inertia);
@@ -106,10 +107,16 @@ TEST(PlantServiceRefusals, NameWhatIsWrongWithAPayload) {
   };
   msgs::AttachPayload::Request request = box();
   request.mass = -1.0;
-  EXPECT_EQ(refusal(request), "parameter 'payload/mass' is '-1'; it must be a finite number > 0");
+  EXPECT_EQ(refusal(request),
+            "parameter 'payload/mass' is '-1'; it must be a finite number > 0 and <= 1000");
   request = box();
   request.size.y = 0.0;
-  EXPECT_EQ(refusal(request), "parameter 'payload/size[1]' is '0'; it must be a finite number > 0");
+  EXPECT_EQ(refusal(request),
+            "parameter 'payload/size[1]' is '0'; it must be a finite number > 0 and <= 10");
+  request = box();
+  request.mass = 1e308;
+  EXPECT_EQ(refusal(request),
+            "parameter 'payload/mass' is '1e+308'; it must be a finite number > 0 and <= 1000");
   request = box();
   request.offset.z = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal(request),
@@ -131,7 +138,8 @@ TEST(PlantServiceRefusals, NameWhatIsWrongWithABody) {
   };
   EXPECT_EQ(refusal(1.0, {0.5, 0.0, 0.0}), "");
   EXPECT_EQ(refusal(0.0, {0.0, 0.0, 0.0}),
-            "parameter 'body/mass' is '0'; it must be a finite number > 0");
+            "parameter 'body/mass' is '0'; it must be a finite number >= 0.001 and <= 1000");
+  EXPECT_NE(refusal(1e-300, {0.0, 0.0, 0.0}), "");
   EXPECT_EQ(refusal(1.0, {0.0, 0.0, 2.0}),
             "parameter 'body/inertia' is [1, 1, 1, 0, 0, 2], whose smallest eigenvalue is -1; it "
             "must be positive definite (every eigenvalue > 0)");
@@ -141,19 +149,25 @@ TEST(PlantServiceRefusals, NameWhatIsWrongWithWindAndDisturbance) {
   msgs::SetWind::Request wind;
   wind.velocity.x = std::numeric_limits<double>::infinity();
   EXPECT_EQ(test::refusal<ParameterError>([&] { toAction(wind); }),
-            "parameter 'wind/velocity[0]' is 'inf'; it must be a finite number");
+            "parameter 'wind/velocity[0]' is 'inf'; it must be a finite number >= -200 and <= 200");
   msgs::ApplyDisturbance::Request disturbance;
   const auto refusal = [&disturbance] {
     return test::refusal<ParameterError>([&] { toAction(disturbance); });
   };
   EXPECT_EQ(refusal(),
-            "parameter 'disturbance/for_so_long' is '0'; it must be a finite number > 0");
+            "parameter 'disturbance/for_so_long' is '0'; it must be a finite number > 0 and <= "
+            "1000000");
   disturbance.for_so_long = ros::Duration(1.0);
   EXPECT_EQ(refusal(), "");
   disturbance.angular_frequency = -1.0;
   EXPECT_EQ(refusal(),
             "parameter 'disturbance/angular_frequency' is '-1'; it must be a finite number >= 0 "
             "and <= 1000");
+  disturbance.angular_frequency = 0.0;
+  disturbance.force.z = -1e308;
+  EXPECT_EQ(refusal(),
+            "parameter 'disturbance/force[2]' is '-1e+308'; it must be a finite number >= -100000 "
+            "and <= 100000");
 }
 
 }  // namespace
