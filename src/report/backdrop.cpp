@@ -30,7 +30,10 @@ Backdrop backdropOf(const Scenario& scenario) {
           backdrop.payloads.push_back({event.time, std::nullopt, attach.payload.mass});
         },
         [&](const DetachPayload&) { backdrop.payloads.back().to = event.time; },
-        [](const SetWind&) {}, [](const SetBody&) {}, [](const ApplyDisturbance&) {}};
+        [](const SetWind&) {},
+        [](const SetBody&) {},
+        [](const ApplyDisturbance&) {},
+        [](const SetRotor&) {}};
     std::visit(add, event.action);
   }
   return backdrop;

@@ -1,5 +1,6 @@
 #include "adaptive_quadrotor_control/simulation/plant_action_reader.h"
 
+#include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
@@ -21,6 +22,16 @@ ApplyDisturbance readDisturbance(const ParameterReader& reader, Nanoseconds dura
   disturbance.amplitude.moment = reader.vector3("moment", Range::any(), none);
   disturbance.angular_frequency = reader.number("angular_frequency", kAngularFrequency, 0.0);
   return disturbance;
+}
+
+SetRotor readRotor(const ParameterReader& reader) {
+  SetRotor rotor;
+  rotor.number = reader.integer("number", 1, kMaxRotors);
+  RotorCondition& condition = rotor.condition;
+  condition.effectiveness = reader.number("effectiveness", Range::between(0.0, 1.0), 1.0);
+  if (reader.has("stuck_at")) condition.stuck_at = reader.number("stuck_at", Range::nonNegative());
+  condition.slower = reader.number("slower", Range::between(1.0, 1e3), 1.0);
+  return rotor;
 }
 
 }  // namespace aqc

@@ -7,6 +7,7 @@
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/simulation/crash.h"
+#include "adaptive_quadrotor_control/simulation/rotor_condition.h"
 #include "simulation/contact.h"
 #include "simulation/plain_vector.h"
 
@@ -39,6 +40,8 @@ class RigidBody {
   void setState(const State& state) noexcept;
   void setWind(const Eigen::Vector3d& velocity) noexcept { wind_ = Plain3::from(velocity); }
   void setDisturbance(const ForceMoment& disturbance) noexcept;
+  /// As Plant::setRotor().
+  void setRotor(std::size_t index, const RotorCondition& condition) noexcept;
 
   State state() const noexcept { return stateOf(motion_); }
   const Motion& motion() const noexcept { return motion_; }
@@ -49,7 +52,7 @@ class RigidBody {
   Crash crash() const noexcept { return crash_; }
 
  private:
-  // A rotor's part in RotorLoads.
+  // A rotor's part in RotorLoads; thrust and drag moment with its effectiveness.
   struct Hub {
     Pair arm;      // e_z x r_i, where r_i is from the centre of mass, in B [m]
     Pair tilting;  // roll and pitch moment / omega_i^2
@@ -57,7 +60,7 @@ class RigidBody {
   };
   // Everything that does not depend on the motion, at one instant.
   struct RotorLoads {
-    Pair sums;     // sum omega_i^2 and sum |omega_i|
+    Pair sums;     // sum e_i omega_i^2 and sum |omega_i|
     Pair arm;      // sum |omega_i| e_z x r_i
     Pair tilting;  // roll and pitch moment of the thrusts and the disturbance about the centre
     Pair about_z;  // their yaw moment and sum |omega_i| |r_i|^2
@@ -72,7 +75,11 @@ class RigidBody {
   };
 
   State stateOf(const Motion& motion) const noexcept;
+  void updateHub(std::size_t index) noexcept;
+  double target(const RotorArray& command, Eigen::Index rotor) const noexcept;
   RotorArray turnRotors(const RotorArray& command, double dt) noexcept;
+  RotorArray turnDamagedRotors(const RotorArray& command, double dt) noexcept;
+  double givenSquares(const RotorArray& speeds) const noexcept;
   RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
   ForceMoment contactForce(Motion motion) const noexcept;
   Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
@@ -87,6 +94,8 @@ class RigidBody {
   Plain33 inertia_ = {};
   Plain33 inverse_inertia_ = {};
   std::array<Hub, kMaxRotors> hubs_ = {};
+  std::array<RotorCondition, kMaxRotors> conditions_ = {};
+  bool damaged_ = false;  // some rotor is not sound
 
   Motion motion_ = {};
   // At the start of the last step; before the first one it falls freely.

@@ -82,6 +82,10 @@ void RigidPlant::setDisturbance(const ForceMoment& disturbance) noexcept {
   body_->setDisturbance(disturbance);
 }
 
+void RigidPlant::setRotor(std::size_t index, const RotorCondition& condition) noexcept {
+  body_->setRotor(index, condition);
+}
+
 void RigidPlant::updateWhole() {
   whole_ = vehicle_;
   if (payload_) {

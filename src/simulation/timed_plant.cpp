@@ -35,11 +35,22 @@ void TimedPlant::schedule(const PlantEvent& event) {
     }
     attached = attach;
   };
-  const Overloaded follow_payload{
-      [&](const AttachPayload&) { follow(true); }, [&](const DetachPayload&) { follow(false); },
-      [](const SetWind&) {}, [](const SetBody&) {}, [](const ApplyDisturbance&) {}};
+  const Overloaded follow_payload{[&](const AttachPayload&) { follow(true); },
+                                  [&](const DetachPayload&) { follow(false); },
+                                  [](const SetWind&) {},
+                                  [](const SetBody&) {},
+                                  [](const ApplyDisturbance&) {},
+                                  [this](const SetRotor& rotor) { requireRotor(rotor.number); }};
   for (const PlantEvent& planned : events) std::visit(follow_payload, planned.action);
   events_ = std::move(events);
+}
+
+void TimedPlant::requireRotor(int number) const {
+  const auto count = static_cast<int>(plant_->rotorSpeeds().size());
+  if (number >= 1 && number <= count) return;
+  throw std::invalid_argument("rotor " + std::to_string(number) +
+                              " is none of the vehicle's; it must be 1 to " +
+                              std::to_string(count));
 }
 
 std::vector<Cargo>::const_iterator TimedPlant::find(const std::string& name) const {
@@ -102,6 +113,10 @@ void TimedPlant::apply(const PlantEvent& event) {
                        [this](const SetBody& body) { plant_->setBody(body.mass, body.inertia); },
                        [&](const ApplyDisturbance& shape) {
                          disturbances_.push_back({event.time, shape});
+                       },
+                       [this](const SetRotor& rotor) {
+                         plant_->setRotor(static_cast<std::size_t>(rotor.number - 1),
+                                          rotor.condition);
                        }};
   std::visit(act, event.action);
 }

@@ -35,6 +35,10 @@ struct Mission {
 ///     detach: {at}
 ///     wind:   {at, velocity: [x, y, z]}
 ///     body:   {at, mass, inertia: [xx, yy, zz]}       the vehicle itself becomes another one
+///     rotor:  {at, number, effectiveness, stuck_at, slower}
+///             rotor `number` of the vehicle's file (the first is 1) breaks: it gives that share of
+///             thrust and drag moment, turns at stuck_at [rad/s] whatever is commanded, and its
+///             time constants are so many times longer; what is not given is sound (again)
 ///     disturbance: {at, until, force: [x, y, z], moment: [x, y, z], angular_frequency}
 ///             in W [N] and in B [N m]; constant, or with a frequency [rad/s] a sine from 0
 ///     switch: {at, subsystem}                         laws without subsystems ignore it

@@ -7,6 +7,7 @@
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/model/force_moment.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
+#include "adaptive_quadrotor_control/simulation/rotor_condition.h"
 
 namespace aqc {
 
@@ -31,10 +32,17 @@ struct ApplyDisturbance {
   double angular_frequency = 0.0;  ///< of the sine [rad/s]; 0: constant
 };
 
+/// A rotor breaks, or is sound again.
+struct SetRotor {
+  int number = 1;  ///< in the order of the vehicle's file, whose first rotor is 1
+  RotorCondition condition;
+};
+
 /// Something that happens to the plant. What depends on the kind asks by std::visit with one
 /// Overloaded branch for each, and no branch for "all others": a new kind does not compile until
 /// every place has decided about it (test/house/plant_action_test.py).
-using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody>;
+using PlantAction =
+    std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody, SetRotor>;
 
 struct PlantEvent {
   Nanoseconds time = 0;

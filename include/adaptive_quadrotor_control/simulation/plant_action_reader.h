@@ -23,4 +23,7 @@ SetBody readBody(const ParameterReader& reader);
 /// constant. `duration` must be > 0.
 ApplyDisturbance readDisturbance(const ParameterReader& reader, Nanoseconds duration);
 
+/// Reads `number`, and `effectiveness`, `stuck_at` and `slower`, which are sound when not given.
+SetRotor readRotor(const ParameterReader& reader);
+
 }  // namespace aqc

@@ -49,6 +49,7 @@ class RigidPlant final : public Plant {
 
   void setWind(const Eigen::Vector3d& velocity) noexcept override;
   void setDisturbance(const ForceMoment& disturbance) noexcept override;
+  void setRotor(std::size_t index, const RotorCondition& condition) noexcept override;
 
   double mass() const noexcept { return whole_.mass; }  ///< total [kg]
   /// In B [m].

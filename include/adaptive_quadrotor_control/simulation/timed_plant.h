@@ -24,7 +24,8 @@ class TimedPlant {
              Nanoseconds start = 0);
 
   /// Plans an event; one whose time has passed acts at the next step. Throws std::logic_error when
-  /// the payload events would not alternate: attach, detach, attach, ...
+  /// the payload events would not alternate: attach, detach, attach, ...; std::invalid_argument for
+  /// a rotor that the vehicle does not have.
   void schedule(const PlantEvent& event);
 
   /// Whether a payload of that name lies about or hangs under the vehicle.
@@ -54,6 +55,7 @@ class TimedPlant {
   const std::vector<Refusal>& refusals() const noexcept { return refusals_; }
 
  private:
+  void requireRotor(int number) const;
   void apply(const PlantEvent& event);
   void attach(const AttachPayload& attach);
   void detach();

@@ -120,4 +120,24 @@ ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request) {
   return readDisturbance(reader, request.for_so_long.toNSec());
 }
 
+msgs::SetRotor::Request toRequest(const SetRotor& action, const ros::Time& at) {
+  msgs::SetRotor::Request request;
+  request.at = at;
+  request.number = static_cast<std::uint8_t>(action.number);
+  request.effectiveness = action.condition.effectiveness;
+  request.stuck = action.condition.stuck_at.has_value();
+  request.stuck_at = action.condition.stuck_at.value_or(0.0);
+  request.slower = action.condition.slower;
+  return request;
+}
+
+SetRotor toAction(const msgs::SetRotor::Request& request) {
+  YAML::Node tree;
+  tree["number"] = std::to_string(request.number);
+  tree["effectiveness"] = toYaml(request.effectiveness);
+  if (request.stuck) tree["stuck_at"] = toYaml(request.stuck_at);
+  if (request.slower != 0.0) tree["slower"] = toYaml(request.slower);
+  return readRotor(ParameterReader(tree, "rotor"));
+}
+
 }  // namespace aqc

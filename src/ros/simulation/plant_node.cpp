@@ -69,6 +69,7 @@ PlantNode::PlantNode()
                serve<SetWind>(),
                serve<SetBody>(),
                serve<ApplyDisturbance>(),
+               serve<SetRotor>(),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
   timer_ = node_.createSteadyTimer(ros::WallDuration(toSeconds(pacer_->interval())),

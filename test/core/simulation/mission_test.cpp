@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -166,6 +167,34 @@ TEST(Mission, SwitchesBodiesAndDisturbances) {
   const auto& pulse = std::get<ApplyDisturbance>(mission.events[2].action);
   EXPECT_EQ(pulse.amplitude.moment.z(), 5e-4);
   EXPECT_EQ(pulse.angular_frequency, 0.0);
+}
+
+TEST(Mission, RotorsBreakAndAreSoundAgain) {
+  const Mission mission = read(R"(
+  - rotor: {at: 1.0, number: 2, effectiveness: 0.4, stuck_at: 300, slower: 2.5}
+  - rotor: {at: 2.0, number: 2}
+)");
+  ASSERT_EQ(mission.events.size(), 2u);
+  const auto& broken = std::get<SetRotor>(mission.events[0].action);
+  EXPECT_EQ(mission.events[0].time, kSecond);
+  EXPECT_EQ(broken.number, 2);
+  EXPECT_EQ(broken.condition.effectiveness, 0.4);
+  EXPECT_EQ(broken.condition.stuck_at, 300.0);
+  EXPECT_EQ(broken.condition.slower, 2.5);
+  EXPECT_FALSE(broken.condition.sound());
+  EXPECT_TRUE(std::get<SetRotor>(mission.events[1].action).condition.sound());
+}
+
+TEST(Mission, RefusesSenselessRotors) {
+  for (const auto& [entry, key, allowed] : std::vector<std::array<std::string, 3>>{
+           {"number: 0", "number'", ">= 1 and <= 16"},
+           {"effectiveness: 0.5", "number'", "missing"},
+           {"number: 1, effectiveness: 1.1", "effectiveness'", ">= 0 and <= 1"},
+           {"number: 1, stuck_at: -1", "stuck_at'", ">= 0"},
+           {"number: 1, slower: 0.9", "slower'", ">= 1 and <= 1000"}}) {
+    expectRefused("  - rotor: {at: 1, " + entry + "}\n",
+                  {"'scenario/mission[0]/rotor/" + key, allowed});
+  }
 }
 
 TEST(Mission, RefusesSenselessSwitchesBodiesAndDisturbances) {

@@ -106,5 +106,23 @@ RC_GTEST_PROP(Plants, KeepAUnitQuaternionAndTheirRotorsInLimits, ()) {
   }
 }
 
+RC_GTEST_PROP(Plants, FlyTheSameBitsAfterARotorIsSoundAgain, ()) {
+  test::Dice dice(*rc::gen::arbitrary<unsigned>());
+  const Vehicle vehicle = test::pelican();
+  RigidPlant plant(vehicle, dice.airborneState());
+  RigidPlant repaired = plant;
+  for (int i = 0; i < 50; ++i) {
+    const RotorArray command = dice.speeds(vehicle);
+    if (i == 25) {
+      const auto rotor = static_cast<std::size_t>(dice.index(4));
+      repaired.setRotor(rotor, {dice.between(0.0, 1.0), std::nullopt, dice.between(1.0, 9.0)});
+      repaired.setRotor(rotor, {});
+    }
+    plant.step(command, 1e-3);
+    repaired.step(command, 1e-3);
+  }
+  RC_ASSERT(test::sameBits(plant.state(), repaired.state()));
+}
+
 }  // namespace
 }  // namespace aqc

@@ -89,6 +89,19 @@ TEST_F(PlantServices, CarryWindAndDisturbance) {
   EXPECT_EQ(toRequest(DetachPayload{}, kAt).at, kAt);
 }
 
+TEST_F(PlantServices, CarryTheConditionOfARotor) {
+  for (int i = 0; i < kTrials; ++i) {
+    SetRotor rotor{1 + i % kMaxRotors, {number(0.0, 1.0), std::nullopt, number(1.0, 1e3)}};
+    if (i % 3 == 0) rotor.condition.stuck_at = number(0.0, 1e3);
+    const SetRotor heard = sent(rotor);
+    EXPECT_EQ(heard.number, rotor.number);
+    EXPECT_EQ(heard.condition.effectiveness, rotor.condition.effectiveness);
+    EXPECT_EQ(heard.condition.stuck_at, rotor.condition.stuck_at);
+    EXPECT_EQ(heard.condition.slower, rotor.condition.slower);
+  }
+  EXPECT_EQ(sent(SetRotor{1, {1.0, 0.0, 1.0}}).condition.stuck_at, 0.0) << "a blocked motor";
+}
+
 msgs::AttachPayload::Request box() {
   msgs::AttachPayload::Request request;
   request.mass = 1.2;
@@ -142,6 +155,11 @@ TEST(PlantServiceRefusals, NameWhatIsWrongWithWindAndDisturbance) {
   wind.velocity.x = std::numeric_limits<double>::infinity();
   EXPECT_EQ(test::refusal<ParameterError>([&] { toAction(wind); }),
             "parameter 'wind/velocity[0]' is 'inf'; it must be a finite number");
+  msgs::SetRotor::Request rotor;
+  EXPECT_EQ(test::refusal<ParameterError>([&] { toAction(rotor); }),
+            "parameter 'rotor/number' is '0'; it must be a whole number >= 1 and <= 16");
+  rotor.number = 1;
+  EXPECT_EQ(toAction(rotor).condition.slower, 1.0) << "when it is not given";
   msgs::ApplyDisturbance::Request disturbance;
   const auto refusal = [&disturbance] {
     return test::refusal<ParameterError>([&] { toAction(disturbance); });
