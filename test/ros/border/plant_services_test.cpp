@@ -157,7 +157,7 @@ TEST(PlantServiceRefusals, NameWhatIsWrongWithWindAndDisturbance) {
             "parameter 'wind/velocity[0]' is 'inf'; it must be a finite number");
   msgs::SetRotor::Request rotor;
   EXPECT_EQ(test::refusal<ParameterError>([&] { toAction(rotor); }),
-            "parameter 'rotor/number' is '0'; it must be a whole number >= 1 and <= 16");
+            "parameter 'rotor/number' is '0'; it must be a finite number >= 1 and <= 16");
   rotor.number = 1;
   EXPECT_EQ(toAction(rotor).condition.slower, 1.0) << "when it is not given";
   msgs::ApplyDisturbance::Request disturbance;
