@@ -33,7 +33,8 @@ Backdrop backdropOf(const Scenario& scenario) {
         [](const SetWind&) {},
         [](const SetBody&) {},
         [](const ApplyDisturbance&) {},
-        [](const SetRotor&) {}};
+        [](const SetRotor&) {},
+        [](const SetBattery&) {}};
     std::visit(add, event.action);
   }
   return backdrop;

@@ -56,6 +56,7 @@ class MissionBuilder {
         {"wind", &MissionBuilder::event<&readWind>},
         {"body", &MissionBuilder::event<&readBody>},
         {"rotor", &MissionBuilder::event<&readRotor>},
+        {"battery", &MissionBuilder::event<&readBattery>},
         {"disturbance", &MissionBuilder::disturbance},
         {"switch", &MissionBuilder::change}};
     const std::vector<std::string> keys = entry.keys();

@@ -34,4 +34,9 @@ SetRotor readRotor(const ParameterReader& reader) {
   return rotor;
 }
 
+SetBattery readBattery(const ParameterReader& reader) {
+  const double voltage = reader.number("voltage", Range::positiveUpTo(1.0));
+  return {voltage, fromSeconds(reader.number("over", Range::between(0.0, 1e6), 0.0))};
+}
+
 }  // namespace aqc

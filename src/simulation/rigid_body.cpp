@@ -9,6 +9,7 @@ namespace aqc::kernel {
 RigidBody::RigidBody(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
     : vehicle_(vehicle),
       contact_(vehicle, std::move(walls), ground),
+      speed_limit_(vehicle.max_rotor_speed),
       speeds_(RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size()))) {}
 
 State RigidBody::stateOf(const Motion& motion) const noexcept {

@@ -42,6 +42,8 @@ class RigidBody {
   void setDisturbance(const ForceMoment& disturbance) noexcept;
   /// As Plant::setRotor().
   void setRotor(std::size_t index, const RotorCondition& condition) noexcept;
+  /// As Plant::setSpeedLimit().
+  void setSpeedLimit(double share) noexcept { speed_limit_ = share * vehicle_.max_rotor_speed; }
 
   State state() const noexcept { return stateOf(motion_); }
   const Motion& motion() const noexcept { return motion_; }
@@ -96,6 +98,7 @@ class RigidBody {
   std::array<Hub, kMaxRotors> hubs_ = {};
   std::array<RotorCondition, kMaxRotors> conditions_ = {};
   bool damaged_ = false;  // some rotor is not sound
+  double speed_limit_;    // that commands are clamped to [rad/s]
 
   Motion motion_ = {};
   // At the start of the last step; before the first one it falls freely.

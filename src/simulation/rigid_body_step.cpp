@@ -114,7 +114,7 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
                                                        Eigen::Index rotor) const noexcept {
   const bool usable =
       crash_ == Crash::kNone && rotor < command.size() && std::isfinite(command[rotor]);
-  return usable ? std::clamp(command[rotor], 0.0, vehicle_.max_rotor_speed) : 0.0;
+  return usable ? std::clamp(command[rotor], 0.0, speed_limit_) : 0.0;
 }
 
 [[gnu::noinline, gnu::cold]] RotorArray RigidBody::turnDamagedRotors(const RotorArray& command,

@@ -86,6 +86,10 @@ void RigidPlant::setRotor(std::size_t index, const RotorCondition& condition) no
   body_->setRotor(index, condition);
 }
 
+void RigidPlant::setSpeedLimit(double share) noexcept {
+  body_->setSpeedLimit(share);
+}
+
 void RigidPlant::updateWhole() {
   whole_ = vehicle_;
   if (payload_) {

@@ -40,7 +40,8 @@ void TimedPlant::schedule(const PlantEvent& event) {
                                   [](const SetWind&) {},
                                   [](const SetBody&) {},
                                   [](const ApplyDisturbance&) {},
-                                  [this](const SetRotor& rotor) { requireRotor(rotor.number); }};
+                                  [this](const SetRotor& rotor) { requireRotor(rotor.number); },
+                                  [](const SetBattery&) {}};
   for (const PlantEvent& planned : events) std::visit(follow_payload, planned.action);
   events_ = std::move(events);
 }
@@ -117,6 +118,9 @@ void TimedPlant::apply(const PlantEvent& event) {
                        [this](const SetRotor& rotor) {
                          plant_->setRotor(static_cast<std::size_t>(rotor.number - 1),
                                           rotor.condition);
+                       },
+                       [&](const SetBattery& battery) {
+                         drain_ = Drain{event.time, battery_, battery};
                        }};
   std::visit(act, event.action);
 }
@@ -144,6 +148,19 @@ void TimedPlant::disturb() {
   plant_->setDisturbance(disturbance());
 }
 
+void TimedPlant::drain() {
+  if (!drain_) return;
+  const auto& [begin, from, end] = *drain_;
+  const Nanoseconds age = now_ - begin;
+  if (age < end.over) {
+    battery_ = from + (end.voltage - from) * (toSeconds(age) / toSeconds(end.over));
+  } else {
+    battery_ = end.voltage;
+    drain_.reset();
+  }
+  plant_->setSpeedLimit(battery_);
+}
+
 void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
   const double dt = toSeconds(step_);
   while (now_ < until) {
@@ -152,6 +169,7 @@ void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
       events_.erase(events_.begin());
     }
     disturb();
+    drain();
     plant_->step(command, dt);
     for (Cargo& cargo : cargo_) cargo.fall(dt, plant_->hasGround());
     now_ += step_;

@@ -69,6 +69,9 @@ class Plant {
   virtual void setDisturbance(const ForceMoment& disturbance) noexcept = 0;
   /// What is wrong with rotor `index` of the vehicle, counted from 0, instead of what was before.
   virtual void setRotor(std::size_t index, const RotorCondition& condition) noexcept = 0;
+  /// The greatest speed that rotors can reach, as a share of the vehicle's, in (0, 1], held until
+  /// changed; at first 1. Those that turn faster slow down as if that were commanded.
+  virtual void setSpeedLimit(double share) noexcept = 0;
 
  protected:
   Plant() = default;

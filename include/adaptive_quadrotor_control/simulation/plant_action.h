@@ -38,11 +38,19 @@ struct SetRotor {
   RotorCondition condition;
 };
 
+/// The battery's voltage sags, or is full again. The speed of a brushless motor is K_V (V - I R)
+/// (M. Drela, First-Order DC Electric Motor Model, 2007), so that the speed that a rotor can reach
+/// falls as the voltage does: omega <= voltage omega_max, where I R is small or falls with it.
+struct SetBattery {
+  double voltage = 1.0;  ///< share of the full one in the end, > 0 to 1
+  Nanoseconds over = 0;  ///< from what it is, linearly, in this time; 0: at once
+};
+
 /// Something that happens to the plant. What depends on the kind asks by std::visit with one
 /// Overloaded branch for each, and no branch for "all others": a new kind does not compile until
 /// every place has decided about it (test/house/plant_action_test.py).
-using PlantAction =
-    std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody, SetRotor>;
+using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody,
+                                 SetRotor, SetBattery>;
 
 struct PlantEvent {
   Nanoseconds time = 0;

@@ -26,4 +26,7 @@ ApplyDisturbance readDisturbance(const ParameterReader& reader, Nanoseconds dura
 /// Reads `number`, and `effectiveness`, `stuck_at` and `slower`, which are sound when not given.
 SetRotor readRotor(const ParameterReader& reader);
 
+/// Reads `voltage`, and `over` [s], which is 0 when not given.
+SetBattery readBattery(const ParameterReader& reader);
+
 }  // namespace aqc

@@ -11,7 +11,7 @@ struct RotorCondition {
   /// axis (drag_coefficient, rolling_moment_coefficient) stays whole.
   double effectiveness = 1.0;
   /// It turns at this speed [rad/s], >= 0, from now on, whatever is commanded: a motor that is
-  /// blocked (0) or whose driver hangs. Clamped to what a rotor can do.
+  /// blocked (0) or whose driver hangs. Clamped to what a rotor of a full battery can do.
   std::optional<double> stuck_at;
   /// Both its time constants are so many times the vehicle's, >= 1.
   double slower = 1.0;

@@ -49,6 +49,8 @@ class TimedPlant {
   const Eigen::Vector3d& wind() const noexcept { return wind_; }
   /// Sum of the disturbances that act at now(); each is held over a step.
   ForceMoment disturbance() const noexcept;
+  /// Voltage of the battery at the start of the last step, as a share of the full one.
+  double battery() const noexcept { return battery_; }
   /// Time of the first crash.
   std::optional<Nanoseconds> crashTime() const noexcept { return crash_time_; }
 
@@ -60,6 +62,7 @@ class TimedPlant {
   void attach(const AttachPayload& attach);
   void detach();
   void disturb();
+  void drain();
   std::vector<Cargo>::const_iterator find(const std::string& name) const;
 
   std::unique_ptr<Plant> plant_;
@@ -74,6 +77,14 @@ class TimedPlant {
     ApplyDisturbance shape;
   };
   std::vector<ActiveDisturbance> disturbances_;  // that have begun
+  // How the battery's voltage gets to where it is to be.
+  struct Drain {
+    Nanoseconds begin;
+    double from;
+    SetBattery end;
+  };
+  std::optional<Drain> drain_;
+  double battery_ = 1.0;
   std::optional<Nanoseconds> crash_time_;
   std::vector<Refusal> refusals_;
 };

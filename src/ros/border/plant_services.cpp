@@ -140,4 +140,19 @@ SetRotor toAction(const msgs::SetRotor::Request& request) {
   return readRotor(ParameterReader(tree, "rotor"));
 }
 
+msgs::SetBattery::Request toRequest(const SetBattery& action, const ros::Time& at) {
+  msgs::SetBattery::Request request;
+  request.at = at;
+  request.voltage = action.voltage;
+  request.over.fromNSec(action.over);
+  return request;
+}
+
+SetBattery toAction(const msgs::SetBattery::Request& request) {
+  YAML::Node tree;
+  tree["voltage"] = toYaml(request.voltage);
+  tree["over"] = toYaml(request.over.toSec());
+  return readBattery(ParameterReader(tree, "battery"));
+}
+
 }  // namespace aqc

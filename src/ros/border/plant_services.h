@@ -5,6 +5,7 @@
 #include "adaptive_quadrotor_control/ApplyDisturbance.h"
 #include "adaptive_quadrotor_control/AttachPayload.h"
 #include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/SetBattery.h"
 #include "adaptive_quadrotor_control/SetBody.h"
 #include "adaptive_quadrotor_control/SetRotor.h"
 #include "adaptive_quadrotor_control/SetWind.h"
@@ -49,6 +50,11 @@ struct PlantService<SetRotor> {
   using Type = msgs::SetRotor;
   static constexpr const char* kName = "set_rotor";
 };
+template <>
+struct PlantService<SetBattery> {
+  using Type = msgs::SetBattery;
+  static constexpr const char* kName = "set_battery";
+};
 
 /// The request for an action at a ROS time (zero: now), and the action that a request asks for:
 /// one from the other without a bit lost. What a scenario file may not ask for, toAction() refuses
@@ -65,5 +71,7 @@ msgs::ApplyDisturbance::Request toRequest(const ApplyDisturbance& action, const 
 ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request);
 msgs::SetRotor::Request toRequest(const SetRotor& action, const ros::Time& at);
 SetRotor toAction(const msgs::SetRotor::Request& request);
+msgs::SetBattery::Request toRequest(const SetBattery& action, const ros::Time& at);
+SetBattery toAction(const msgs::SetBattery::Request& request);
 
 }  // namespace aqc

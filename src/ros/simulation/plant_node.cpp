@@ -70,6 +70,7 @@ PlantNode::PlantNode()
                serve<SetBody>(),
                serve<ApplyDisturbance>(),
                serve<SetRotor>(),
+               serve<SetBattery>(),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
   timer_ = node_.createSteadyTimer(ros::WallDuration(toSeconds(pacer_->interval())),

@@ -185,6 +185,21 @@ TEST(Mission, RotorsBreakAndAreSoundAgain) {
   EXPECT_TRUE(std::get<SetRotor>(mission.events[1].action).condition.sound());
 }
 
+TEST(Mission, BatteriesSagAtOnceOrInTime) {
+  const Mission mission = read(R"(
+  - battery: {at: 1.0, voltage: 0.85}
+  - battery: {at: 2.0, voltage: 0.7, over: 2.5}
+)");
+  ASSERT_EQ(mission.events.size(), 2u);
+  EXPECT_EQ(std::get<SetBattery>(mission.events[0].action).voltage, 0.85);
+  EXPECT_EQ(std::get<SetBattery>(mission.events[0].action).over, 0);
+  EXPECT_EQ(std::get<SetBattery>(mission.events[1].action).over, 2 * kSecond + kSecond / 2);
+  expectRefused("  - battery: {at: 1, voltage: 0}\n",
+                {"'scenario/mission[0]/battery/voltage'", "'0'", "> 0 and <= 1"});
+  expectRefused("  - battery: {at: 1, voltage: 1.01}\n", {"battery/voltage'", "'1.01'"});
+  expectRefused("  - battery: {at: 1, voltage: 1, over: -1}\n", {"battery/over'", "'-1'", ">= 0"});
+}
+
 TEST(Mission, RefusesSenselessRotors) {
   for (const auto& [entry, key, allowed] : std::vector<std::array<std::string, 3>>{
            {"number: 0", "number'", ">= 1 and <= 16"},

@@ -85,6 +85,25 @@ TEST_F(PlantRotors, ASlowOneRespondsToAStepWithItsLongerTimeConstants) {
               1e-9);
 }
 
+TEST_F(PlantRotors, ReachTheShareOfTheirSpeedThatTheBatteryAllows) {
+  const double most = vehicle_.max_rotor_speed;
+  fly(RotorArray::Constant(4, most), 1.0);
+  plant_.setSpeedLimit(0.85);
+  fly(RotorArray::Constant(4, most), 0.03);
+  const double sinking = (0.85 + 0.15 * std::exp(-0.03 / vehicle_.time_constant_down)) * most;
+  EXPECT_NEAR(plant_.rotorSpeeds()[0], sinking, 1e-9) << "with its lag";
+  fly(RotorArray::Constant(4, 0.5 * most), 1.0);
+  EXPECT_NEAR(plant_.rotorSpeeds()[0], 0.5 * most, 1e-9) << "what can be reached is";
+  fly(RotorArray::Constant(4, most), 1.0);
+  EXPECT_NEAR(plant_.rotorSpeeds()[0], 0.85 * most, 1e-9);
+  plant_.setRotor(0, {1.0, std::nullopt, 2.0});
+  fly(RotorArray::Constant(4, most), 1.0);
+  EXPECT_NEAR(plant_.rotorSpeeds()[0], 0.85 * most, 1e-9) << "a slow one, too";
+  plant_.setSpeedLimit(1.0);
+  fly(RotorArray::Constant(4, most), 1.0);
+  EXPECT_NEAR(plant_.rotorSpeeds()[0], most, 1e-6);
+}
+
 TEST_F(PlantRotors, RunDownAfterACrashEvenWhenStuck) {
   State low = highUp();
   low.position.z() = 1.0;

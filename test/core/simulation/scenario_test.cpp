@@ -98,7 +98,8 @@ TEST(Scenario, LastPayloadChangeIsThatOfTheLastAttachOrDetach) {
   EXPECT_EQ(scenario.lastPayloadChange(), 0);
   scenario.mission.events = {{fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}},
                              {fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}},
-                             {fromSeconds(9.0), SetRotor()}};
+                             {fromSeconds(9.0), SetRotor()},
+                             {fromSeconds(9.0), SetBattery()}};
   EXPECT_EQ(scenario.lastPayloadChange(), fromSeconds(8.0)) << "wind is no payload";
 }
 

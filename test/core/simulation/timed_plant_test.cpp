@@ -70,6 +70,7 @@ class Scribe final : public Plant {
   void setRotor(std::size_t index, const RotorCondition& condition) noexcept override {
     note(index == 2 ? "third rotor" : "rotor", condition.effectiveness);
   }
+  void setSpeedLimit(double share) noexcept override { note("limit", share); }
 
  private:
   void note(const char* what, double value) { notes_.push_back(formatted("%s %g", what, value)); }
@@ -252,6 +253,19 @@ TEST(TimedPlant, PayloadEventsMustAlternate) {
   ASSERT_TRUE(plant.plant().payload().has_value());
   EXPECT_EQ(plant.plant().payload()->mass, 0.7);
   EXPECT_THROW(plant.schedule({0, AttachPayload{"box", test::box(0.5)}}), std::logic_error);
+}
+
+TEST(TimedPlant, TheBatterySagsLinearlyInItsTime) {
+  Scribe::Notes notes;
+  TimedPlant plant(std::make_unique<Scribe>(notes), {}, kMillisecond);
+  plant.schedule({kMillisecond, SetBattery{0.8, 4 * kMillisecond}});
+  plant.schedule({3 * kMillisecond, SetBattery{0.5, 0}});
+  plant.schedule({4 * kMillisecond, SetBattery{1.0, 2 * kMillisecond}});
+  plant.advance(off(), 8 * kMillisecond);
+  const std::string step = "step 0.001";
+  EXPECT_EQ(notes, (Scribe::Notes{step, "limit 1", step, "limit 0.95", step, "limit 0.5", step,
+                                  "limit 0.5", step, "limit 0.75", step, "limit 1", step, step}));
+  EXPECT_EQ(plant.battery(), 1.0);
 }
 
 TEST(TimedPlant, RefusesRotorsThatTheVehicleDoesNotHave) {

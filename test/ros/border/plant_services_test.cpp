@@ -102,6 +102,14 @@ TEST_F(PlantServices, CarryTheConditionOfARotor) {
   EXPECT_EQ(sent(SetRotor{1, {1.0, 0.0, 1.0}}).condition.stuck_at, 0.0) << "a blocked motor";
 }
 
+TEST_F(PlantServices, CarryTheBattery) {
+  for (int i = 0; i < kTrials; ++i) {
+    const SetBattery battery{number(1e-3, 1.0), static_cast<Nanoseconds>(number(0.0, 1e15))};
+    EXPECT_EQ(sent(battery).voltage, battery.voltage);
+    EXPECT_EQ(sent(battery).over, battery.over);
+  }
+}
+
 msgs::AttachPayload::Request box() {
   msgs::AttachPayload::Request request;
   request.mass = 1.2;
