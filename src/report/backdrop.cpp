@@ -34,7 +34,8 @@ Backdrop backdropOf(const Scenario& scenario) {
         [](const SetBody&) {},
         [](const ApplyDisturbance&) {},
         [](const SetRotor&) {},
-        [](const SetBattery&) {}};
+        [](const SetBattery&) {},
+        [](const SetGust&) {}};
     std::visit(add, event.action);
   }
   return backdrop;

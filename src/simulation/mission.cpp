@@ -57,6 +57,7 @@ class MissionBuilder {
         {"body", &MissionBuilder::event<&readBody>},
         {"rotor", &MissionBuilder::event<&readRotor>},
         {"battery", &MissionBuilder::event<&readBattery>},
+        {"gust", &MissionBuilder::event<&readGust>},
         {"disturbance", &MissionBuilder::disturbance},
         {"switch", &MissionBuilder::change}};
     const std::vector<std::string> keys = entry.keys();

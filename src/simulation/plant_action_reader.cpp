@@ -1,9 +1,19 @@
 #include "adaptive_quadrotor_control/simulation/plant_action_reader.h"
 
+#include <limits>
+
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
+namespace {
+
+std::uint64_t readSeed(const ParameterReader& reader) {
+  if (!reader.has("seed")) return 0;
+  return static_cast<std::uint64_t>(reader.integer("seed", 0, std::numeric_limits<int>::max()));
+}
+
+}  // namespace
 
 SetWind readWind(const ParameterReader& reader) {
   return {reader.vector3("velocity", Range::any())};
@@ -32,6 +42,15 @@ SetRotor readRotor(const ParameterReader& reader) {
   if (reader.has("stuck_at")) condition.stuck_at = reader.number("stuck_at", Range::nonNegative());
   condition.slower = reader.number("slower", Range::between(1.0, 1e3), 1.0);
   return rotor;
+}
+
+SetGust readGust(const ParameterReader& reader) {
+  SetGust gust;
+  gust.intensity = reader.vector3("intensity", Range::between(0.0, 100.0));
+  gust.length = reader.number("length", Range::between(0.1, 1e4), gust.length);
+  gust.speed = reader.number("speed", Range::between(0.1, 100.0), gust.speed);
+  gust.seed = readSeed(reader);
+  return gust;
 }
 
 SetBattery readBattery(const ParameterReader& reader) {

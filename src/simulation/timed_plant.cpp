@@ -41,7 +41,8 @@ void TimedPlant::schedule(const PlantEvent& event) {
                                   [](const SetBody&) {},
                                   [](const ApplyDisturbance&) {},
                                   [this](const SetRotor& rotor) { requireRotor(rotor.number); },
-                                  [](const SetBattery&) {}};
+                                  [](const SetBattery&) {},
+                                  [](const SetGust&) {}};
   for (const PlantEvent& planned : events) std::visit(follow_payload, planned.action);
   events_ = std::move(events);
 }
@@ -109,7 +110,7 @@ void TimedPlant::apply(const PlantEvent& event) {
                        [this](const DetachPayload&) { detach(); },
                        [this](const SetWind& wind) {
                          wind_ = wind.velocity;
-                         plant_->setWind(wind_);
+                         plant_->setWind(this->wind());
                        },
                        [this](const SetBody& body) { plant_->setBody(body.mass, body.inertia); },
                        [&](const ApplyDisturbance& shape) {
@@ -121,7 +122,8 @@ void TimedPlant::apply(const PlantEvent& event) {
                        },
                        [&](const SetBattery& battery) {
                          drain_ = Drain{event.time, battery_, battery};
-                       }};
+                       },
+                       [this](const SetGust& gust) { setGust(gust); }};
   std::visit(act, event.action);
 }
 
@@ -148,6 +150,16 @@ void TimedPlant::disturb() {
   plant_->setDisturbance(disturbance());
 }
 
+void TimedPlant::setGust(const SetGust& shape) {
+  gust_.reset();
+  if (!shape.intensity.isZero(0.0)) gust_.emplace(shape, step_);
+  plant_->setWind(wind());
+}
+
+Eigen::Vector3d TimedPlant::wind() const noexcept {
+  return gust_ ? wind_ + gust_->velocity() : wind_;
+}
+
 void TimedPlant::drain() {
   if (!drain_) return;
   const auto& [begin, from, end] = *drain_;
@@ -171,6 +183,10 @@ void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
     disturb();
     drain();
     plant_->step(command, dt);
+    if (gust_) {
+      gust_->advance();
+      plant_->setWind(wind());
+    }
     for (Cargo& cargo : cargo_) cargo.fall(dt, plant_->hasGround());
     now_ += step_;
     if (!crash_time_ && plant_->crash() != Crash::kNone) crash_time_ = now_;

@@ -34,6 +34,9 @@ struct Mission {
 ///     attach: {at, payload}                           a name of the scenario's `payloads`
 ///     detach: {at}
 ///     wind:   {at, velocity: [x, y, z]}
+///     gust:   {at, intensity: [x, y, z], length, speed, seed}
+///             turbulence on top of the wind: standard deviations [m/s], zeros for calm; length [m]
+///             and speed [m/s] at which it passes by are 10 and 5 when not given: see SetGust
 ///     body:   {at, mass, inertia: [xx, yy, zz]}       the vehicle itself becomes another one
 ///     rotor:  {at, number, effectiveness, stuck_at, slower}
 ///             rotor `number` of the vehicle's file (the first is 1) breaks: it gives that share of

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <variant>
 
@@ -46,11 +47,21 @@ struct SetBattery {
   Nanoseconds over = 0;  ///< from what it is, linearly, in this time; 0: at once
 };
 
+/// Turbulence on top of the wind, instead of any before: see Gust. The vehicle feels it by what its
+/// rotors feel of the air, which acts across their axes and in proportion (drag_coefficient,
+/// rolling_moment_coefficient): a level vehicle feels the horizontal gusts, one without drag none.
+struct SetGust {
+  Eigen::Vector3d intensity = Eigen::Vector3d::Zero();  ///< sigma on the axes of W [m/s]; 0: calm
+  double length = 10.0;                                 ///< L [m], > 0
+  double speed = 5.0;                                   ///< V at which it passes by [m/s], > 0
+  std::uint64_t seed = 0;
+};
+
 /// Something that happens to the plant. What depends on the kind asks by std::visit with one
 /// Overloaded branch for each, and no branch for "all others": a new kind does not compile until
 /// every place has decided about it (test/house/plant_action_test.py).
 using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody,
-                                 SetRotor, SetBattery>;
+                                 SetRotor, SetBattery, SetGust>;
 
 struct PlantEvent {
   Nanoseconds time = 0;

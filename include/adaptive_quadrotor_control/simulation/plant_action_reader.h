@@ -29,4 +29,7 @@ SetRotor readRotor(const ParameterReader& reader);
 /// Reads `voltage`, and `over` [s], which is 0 when not given.
 SetBattery readBattery(const ParameterReader& reader);
 
+/// Reads `intensity`, and `length`, `speed` and `seed`, which are those of SetGust when not given.
+SetGust readGust(const ParameterReader& reader);
+
 }  // namespace aqc

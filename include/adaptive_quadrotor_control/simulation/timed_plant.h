@@ -8,6 +8,7 @@
 #include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/simulation/cargo.h"
+#include "adaptive_quadrotor_control/simulation/gust.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
 #include "adaptive_quadrotor_control/simulation/plant_action.h"
 
@@ -45,8 +46,8 @@ class TimedPlant {
   const std::vector<Cargo>& cargo() const noexcept { return cargo_; }
   /// Name of the attached payload; empty without one.
   const std::string& attachedName() const noexcept { return attached_name_; }
-  /// Velocity of the air in W [m/s].
-  const Eigen::Vector3d& wind() const noexcept { return wind_; }
+  /// Velocity of the air in W [m/s]: of the wind and of the gust, which is held over a step.
+  Eigen::Vector3d wind() const noexcept;
   /// Sum of the disturbances that act at now(); each is held over a step.
   ForceMoment disturbance() const noexcept;
   /// Voltage of the battery at the start of the last step, as a share of the full one.
@@ -62,13 +63,15 @@ class TimedPlant {
   void attach(const AttachPayload& attach);
   void detach();
   void disturb();
+  void setGust(const SetGust& shape);
   void drain();
   std::vector<Cargo>::const_iterator find(const std::string& name) const;
 
   std::unique_ptr<Plant> plant_;
   std::vector<Cargo> cargo_;
   std::string attached_name_;
-  Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();  // without gusts
+  std::optional<Gust> gust_;
   Nanoseconds step_;
   Nanoseconds now_;
   std::vector<PlantEvent> events_;  // still to come, by time

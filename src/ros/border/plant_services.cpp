@@ -155,4 +155,23 @@ SetBattery toAction(const msgs::SetBattery::Request& request) {
   return readBattery(ParameterReader(tree, "battery"));
 }
 
+msgs::SetGust::Request toRequest(const SetGust& action, const ros::Time& at) {
+  msgs::SetGust::Request request;
+  request.at = at;
+  request.intensity = toVector3(action.intensity);
+  request.length = action.length;
+  request.speed = action.speed;
+  request.seed = static_cast<std::uint32_t>(action.seed);
+  return request;
+}
+
+SetGust toAction(const msgs::SetGust::Request& request) {
+  YAML::Node tree;
+  tree["intensity"] = toYaml(request.intensity);
+  if (request.length != 0.0) tree["length"] = toYaml(request.length);
+  if (request.speed != 0.0) tree["speed"] = toYaml(request.speed);
+  tree["seed"] = std::to_string(request.seed);
+  return readGust(ParameterReader(tree, "gust"));
+}
+
 }  // namespace aqc

@@ -71,6 +71,7 @@ PlantNode::PlantNode()
                serve<ApplyDisturbance>(),
                serve<SetRotor>(),
                serve<SetBattery>(),
+               serve<SetGust>(),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
   timer_ = node_.createSteadyTimer(ros::WallDuration(toSeconds(pacer_->interval())),

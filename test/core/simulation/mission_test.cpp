@@ -200,6 +200,29 @@ TEST(Mission, BatteriesSagAtOnceOrInTime) {
   expectRefused("  - battery: {at: 1, voltage: 1, over: -1}\n", {"battery/over'", "'-1'", ">= 0"});
 }
 
+TEST(Mission, GustsBlowAndEnd) {
+  const Mission mission = read(R"(
+  - gust: {at: 1.0, intensity: [1.0, 0.5, 0.2], length: 30, speed: 7, seed: 4}
+  - gust: {at: 2.0, intensity: [0, 0, 0]}
+)");
+  ASSERT_EQ(mission.events.size(), 2u);
+  const auto& gust = std::get<SetGust>(mission.events[0].action);
+  EXPECT_EQ(gust.intensity, Eigen::Vector3d(1.0, 0.5, 0.2));
+  EXPECT_EQ(gust.length, 30.0);
+  EXPECT_EQ(gust.speed, 7.0);
+  EXPECT_EQ(gust.seed, 4u);
+  EXPECT_TRUE(std::get<SetGust>(mission.events[1].action).intensity.isZero(0.0));
+  EXPECT_EQ(std::get<SetGust>(mission.events[1].action).length, 10.0);
+  for (const auto& [entry, key] :
+       std::vector<std::array<std::string, 2>>{{"intensity: [1, -1, 1]", "intensity[1]'"},
+                                               {"intensity: [1, 1, 1], length: 0", "length'"},
+                                               {"intensity: [1, 1, 1], speed: 0", "speed'"},
+                                               {"intensity: [1, 1, 1], seed: -1", "seed'"},
+                                               {"length: 3", "intensity'"}}) {
+    expectRefused("  - gust: {at: 1, " + entry + "}\n", {"'scenario/mission[0]/gust/" + key});
+  }
+}
+
 TEST(Mission, RefusesSenselessRotors) {
   for (const auto& [entry, key, allowed] : std::vector<std::array<std::string, 3>>{
            {"number: 0", "number'", ">= 1 and <= 16"},

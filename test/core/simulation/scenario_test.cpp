@@ -99,7 +99,8 @@ TEST(Scenario, LastPayloadChangeIsThatOfTheLastAttachOrDetach) {
   scenario.mission.events = {{fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}},
                              {fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}},
                              {fromSeconds(9.0), SetRotor()},
-                             {fromSeconds(9.0), SetBattery()}};
+                             {fromSeconds(9.0), SetBattery()},
+                             {fromSeconds(9.0), SetGust()}};
   EXPECT_EQ(scenario.lastPayloadChange(), fromSeconds(8.0)) << "wind is no payload";
 }
 

@@ -110,6 +110,20 @@ TEST_F(PlantServices, CarryTheBattery) {
   }
 }
 
+TEST_F(PlantServices, CarryGusts) {
+  for (int i = 0; i < kTrials; ++i) {
+    const SetGust gust{vector(9.0).cwiseAbs(), number(0.1, 1e4), number(0.1, 100.0),
+                       static_cast<std::uint64_t>(number(0.0, 2e9))};
+    const SetGust heard = sent(gust);
+    EXPECT_EQ(heard.intensity, gust.intensity);
+    EXPECT_EQ(heard.length, gust.length);
+    EXPECT_EQ(heard.speed, gust.speed);
+    EXPECT_EQ(heard.seed, gust.seed);
+  }
+  EXPECT_EQ(toAction(msgs::SetGust::Request()).length, SetGust().length) << "when not given";
+  EXPECT_EQ(toAction(msgs::SetGust::Request()).speed, SetGust().speed) << "when not given";
+}
+
 msgs::AttachPayload::Request box() {
   msgs::AttachPayload::Request request;
   request.mass = 1.2;
