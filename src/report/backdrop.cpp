@@ -30,7 +30,12 @@ Backdrop backdropOf(const Scenario& scenario) {
           backdrop.payloads.push_back({event.time, std::nullopt, attach.payload.mass});
         },
         [&](const DetachPayload&) { backdrop.payloads.back().to = event.time; },
-        [](const SetWind&) {}, [](const SetBody&) {}, [](const ApplyDisturbance&) {}};
+        [](const SetWind&) {},
+        [](const SetBody&) {},
+        [](const ApplyDisturbance&) {},
+        [](const SetRotor&) {},
+        [](const SetBattery&) {},
+        [](const SetGust&) {}};
     std::visit(add, event.action);
   }
   return backdrop;

@@ -53,8 +53,11 @@ class MissionBuilder {
         {"sine", &MissionBuilder::sine},
         {"attach", &MissionBuilder::attach},
         {"detach", &MissionBuilder::detach},
-        {"wind", &MissionBuilder::wind},
-        {"body", &MissionBuilder::body},
+        {"wind", &MissionBuilder::event<&readWind>},
+        {"body", &MissionBuilder::event<&readBody>},
+        {"rotor", &MissionBuilder::event<&readRotor>},
+        {"battery", &MissionBuilder::event<&readBattery>},
+        {"gust", &MissionBuilder::event<&readGust>},
         {"disturbance", &MissionBuilder::disturbance},
         {"switch", &MissionBuilder::change}};
     const std::vector<std::string> keys = entry.keys();
@@ -209,14 +212,11 @@ class MissionBuilder {
     plan(time, DetachPayload{});
   }
 
-  void wind(const ParameterReader& entry) {
+  // What `read` makes of the entry happens to the plant.
+  template <auto read>
+  void event(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
-    plan(time, readWind(entry));
-  }
-
-  void body(const ParameterReader& entry) {
-    const Nanoseconds time = beginEvent(entry);
-    plan(time, readBody(entry));
+    plan(time, read(entry));
   }
 
   void disturbance(const ParameterReader& entry) {

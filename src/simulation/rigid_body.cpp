@@ -1,6 +1,7 @@
 // The rigid body between steps; rigid_body_step.cpp has its motion over one.
 #include "simulation/rigid_body.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace aqc::kernel {
@@ -8,6 +9,7 @@ namespace aqc::kernel {
 RigidBody::RigidBody(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
     : vehicle_(vehicle),
       contact_(vehicle, std::move(walls), ground),
+      speed_limit_(vehicle.max_rotor_speed),
       speeds_(RotorArray::Zero(static_cast<Eigen::Index>(vehicle.rotors.size()))) {}
 
 State RigidBody::stateOf(const Motion& motion) const noexcept {
@@ -57,16 +59,32 @@ void RigidBody::setMass(double mass, const Eigen::Vector3d& centre, const Eigen:
   centre_distance_ = centre_.norm();
   inertia_ = Plain33::from(inertia);
   inverse_inertia_ = Plain33::from(inertia.inverse());
-  for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) {
-    const Rotor& rotor = vehicle_.rotors[i];
-    const Eigen::Vector2d arm = rotor.position() - centre_.head<2>();
-    const double yaw = -rotor.direction * vehicle_.moment_constant;
-    hubs_[i].arm = turned(Pair{arm.x(), arm.y()});
-    hubs_[i].tilting = -vehicle_.force_constant * hubs_[i].arm;
-    hubs_[i].about_z = Pair{vehicle_.force_constant * yaw, arm.squaredNorm()};
-  }
+  for (std::size_t i = 0; i < vehicle_.rotors.size(); ++i) updateHub(i);
   lift_per_square_ = inverse_mass_ * vehicle_.force_constant;
   contact_.setPayload(payload);
+  setDisturbance(disturbance_);
+}
+
+void RigidBody::updateHub(std::size_t index) noexcept {
+  const Rotor& rotor = vehicle_.rotors[index];
+  const Eigen::Vector2d arm = rotor.position() - centre_.head<2>();
+  const double force = conditions_[index].effectiveness * vehicle_.force_constant;
+  const double yaw = -rotor.direction * vehicle_.moment_constant;
+  Hub& hub = hubs_[index];
+  hub.arm = turned(Pair{arm.x(), arm.y()});
+  hub.tilting = -force * hub.arm;
+  hub.about_z = Pair{force * yaw, arm.squaredNorm()};
+}
+
+void RigidBody::setRotor(std::size_t index, const RotorCondition& condition) noexcept {
+  conditions_[index] = condition;
+  updateHub(index);
+  if (condition.stuck_at && crash_ == Crash::kNone) {
+    speeds_[static_cast<Eigen::Index>(index)] =
+        std::min(*condition.stuck_at, vehicle_.max_rotor_speed);
+  }
+  const auto sound = [](const RotorCondition& rotor) { return rotor.sound(); };
+  damaged_ = !std::all_of(conditions_.begin(), conditions_.end(), sound);
   setDisturbance(disturbance_);
 }
 

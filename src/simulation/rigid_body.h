@@ -7,6 +7,7 @@
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/simulation/crash.h"
+#include "adaptive_quadrotor_control/simulation/rotor_condition.h"
 #include "simulation/contact.h"
 #include "simulation/plain_vector.h"
 
@@ -59,6 +60,10 @@ class RigidBody {
   void setState(const State& state) noexcept;
   void setWind(const Eigen::Vector3d& velocity) noexcept { wind_ = Plain3::from(velocity); }
   void setDisturbance(const ForceMoment& disturbance) noexcept;
+  /// As Plant::setRotor().
+  void setRotor(std::size_t index, const RotorCondition& condition) noexcept;
+  /// As Plant::setSpeedLimit().
+  void setSpeedLimit(double share) noexcept { speed_limit_ = share * vehicle_.max_rotor_speed; }
 
   State state() const noexcept { return stateOf(motion_); }
   const Motion& motion() const noexcept { return motion_; }
@@ -69,7 +74,7 @@ class RigidBody {
   Crash crash() const noexcept { return crash_; }
 
  private:
-  // A rotor's part in RotorLoads.
+  // A rotor's part in RotorLoads; thrust and drag moment with its effectiveness.
   struct Hub {
     Pair arm;      // e_z x r_i, where r_i is from the centre of mass, in B [m]
     Pair tilting;  // roll and pitch moment / omega_i^2
@@ -77,7 +82,7 @@ class RigidBody {
   };
   // Everything that does not depend on the motion, at one instant.
   struct RotorLoads {
-    Pair sums;     // sum omega_i^2 and sum |omega_i|
+    Pair sums;     // sum e_i omega_i^2 and sum |omega_i|
     Pair arm;      // sum |omega_i| e_z x r_i
     Pair tilting;  // roll and pitch moment of the thrusts and the disturbance about the centre
     Pair about_z;  // their yaw moment and sum |omega_i| |r_i|^2
@@ -92,7 +97,11 @@ class RigidBody {
   };
 
   State stateOf(const Motion& motion) const noexcept;
+  void updateHub(std::size_t index) noexcept;
+  double target(const RotorArray& command, Eigen::Index rotor) const noexcept;
   RotorArray turnRotors(const RotorArray& command, double dt) noexcept;
+  RotorArray turnDamagedRotors(const RotorArray& command, double dt) noexcept;
+  double givenSquares(const RotorArray& speeds) const noexcept;
   RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
   ForceMoment contactForce(Motion motion) const noexcept;
   Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;
@@ -109,6 +118,9 @@ class RigidBody {
   Plain33 inertia_ = {};
   Plain33 inverse_inertia_ = {};
   std::array<Hub, kMaxRotors> hubs_ = {};
+  std::array<RotorCondition, kMaxRotors> conditions_ = {};
+  bool damaged_ = false;  // some rotor is not sound
+  double speed_limit_;    // that commands are clamped to [rad/s]
 
   Motion motion_ = {{}, {}, {Pair{0.0, 0.0}, Pair{0.0, 1.0}}, {}};
   // At the start of the last step; before the first one it falls freely.

@@ -27,6 +27,15 @@ inline Motion Motion::operator+(const Motion& other) const {
           body_rate + other.body_rate};
 }
 
+[[gnu::noinline, gnu::cold]] double RigidBody::givenSquares(
+    const RotorArray& speeds) const noexcept {
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < speeds.size(); ++i) {
+    sum += conditions_[static_cast<std::size_t>(i)].effectiveness * (speeds[i] * speeds[i]);
+  }
+  return sum;
+}
+
 [[gnu::always_inline]] inline RigidBody::RotorLoads RigidBody::rotorLoads(
     const RotorArray& speeds) const noexcept {
   RotorLoads loads = {};
@@ -41,6 +50,7 @@ inline Motion Motion::operator+(const Motion& other) const {
     loads.tilting += square_and_speed[0] * hub.tilting;
     loads.arm += speed * hub.arm;
   }
+  if (damaged_) loads.sums[0] = givenSquares(speeds);
   return loads;
 }
 
@@ -61,8 +71,9 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
 //
 //     v_i = P (R' (v - wind) + w x r_i)         velocity of the hub in the air, across the axis
 //     d_i = -c_d |omega_i| v_i                  rotor drag
-//     f = sum_i k_f omega_i^2 e_z + d_i         in B
-//     M = sum_i r_i x (k_f omega_i^2 e_z + d_i) - c_r |omega_i| v_i - dir_i k_m k_f omega_i^2 e_z
+//     t_i = e_i k_f omega_i^2                   thrust of a rotor of effectiveness e_i
+//     f = sum_i t_i e_z + d_i                   in B
+//     M = sum_i r_i x (t_i e_z + d_i) - c_r |omega_i| v_i - dir_i k_m t_i e_z
 //
 // where P = diag(1, 1, 0), and F, M_disturbance are the disturbance. Drag and rolling moment are
 // linear in the motion: their sums over the rotors need only the sums in `rotors`. The same plant
@@ -99,9 +110,37 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
                         state.body_rate, centre_);
 }
 
+// The speed that a rotor is to reach.
+[[gnu::always_inline]] inline double RigidBody::target(const RotorArray& command,
+                                                       Eigen::Index rotor) const noexcept {
+  const bool usable =
+      crash_ == Crash::kNone && rotor < command.size() && std::isfinite(command[rotor]);
+  return usable ? std::clamp(command[rotor], 0.0, speed_limit_) : 0.0;
+}
+
+[[gnu::noinline, gnu::cold]] RotorArray RigidBody::turnDamagedRotors(const RotorArray& command,
+                                                                     double dt) noexcept {
+  RotorArray half(speeds_.size());
+  for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
+    const RotorCondition& condition = conditions_[static_cast<std::size_t>(i)];
+    if (condition.stuck_at && crash_ == Crash::kNone) {
+      half[i] = speeds_[i];
+      continue;
+    }
+    const double target = this->target(command, i);
+    const double lag =
+        target > speeds_[i] ? vehicle_.time_constant_up : vehicle_.time_constant_down;
+    const double decay = std::exp(-0.5 * dt / (condition.slower * lag));
+    half[i] = target + (speeds_[i] - target) * decay;
+    speeds_[i] = target + (half[i] - target) * decay;
+  }
+  return half;
+}
+
 // Turns the rotors over a step; returns their speeds halfway.
 [[gnu::always_inline]] inline RotorArray RigidBody::turnRotors(const RotorArray& command,
                                                                double dt) noexcept {
+  if (damaged_) return turnDamagedRotors(command, dt);
   if (dt != step_) {  // a fixed step pays for the exponentials once
     step_ = dt;
     decay_[1] = lagDecay(0.5 * dt, vehicle_.time_constant_up);
@@ -109,8 +148,7 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
   }
   RotorArray half(speeds_.size());
   for (Eigen::Index i = 0; i < speeds_.size(); ++i) {
-    const bool usable = crash_ == Crash::kNone && i < command.size() && std::isfinite(command[i]);
-    const double target = usable ? std::clamp(command[i], 0.0, vehicle_.max_rotor_speed) : 0.0;
+    const double target = this->target(command, i);
     const double decay = decay_[target > speeds_[i]];
     half[i] = target + (speeds_[i] - target) * decay;
     speeds_[i] = target + (half[i] - target) * decay;

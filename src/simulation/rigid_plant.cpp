@@ -82,6 +82,14 @@ void RigidPlant::setDisturbance(const ForceMoment& disturbance) noexcept {
   body_->setDisturbance(disturbance);
 }
 
+void RigidPlant::setRotor(std::size_t index, const RotorCondition& condition) noexcept {
+  body_->setRotor(index, condition);
+}
+
+void RigidPlant::setSpeedLimit(double share) noexcept {
+  body_->setSpeedLimit(share);
+}
+
 void RigidPlant::updateWhole() {
   whole_ = vehicle_;
   if (payload_) {

@@ -51,9 +51,10 @@ Nanoseconds readMetricsFrom(const ParameterReader& reader, Nanoseconds duration)
 
 Nanoseconds Scenario::lastPayloadChange() const {
   const Overloaded changes_payload{
-      [](const AttachPayload&) { return true; }, [](const DetachPayload&) { return true; },
-      [](const SetBody&) { return true; }, [](const SetWind&) { return false; },
-      [](const ApplyDisturbance&) { return false; }};
+      [](const AttachPayload&) { return true; },     [](const DetachPayload&) { return true; },
+      [](const SetBody&) { return true; },           [](const SetWind&) { return false; },
+      [](const ApplyDisturbance&) { return false; }, [](const SetRotor&) { return false; },
+      [](const SetBattery&) { return false; },       [](const SetGust&) { return false; }};
   Nanoseconds last = 0;
   for (const PlantEvent& event : mission.events) {
     if (std::visit(changes_payload, event.action)) last = event.time;

@@ -35,11 +35,24 @@ void TimedPlant::schedule(const PlantEvent& event) {
     }
     attached = attach;
   };
-  const Overloaded follow_payload{
-      [&](const AttachPayload&) { follow(true); }, [&](const DetachPayload&) { follow(false); },
-      [](const SetWind&) {}, [](const SetBody&) {}, [](const ApplyDisturbance&) {}};
+  const Overloaded follow_payload{[&](const AttachPayload&) { follow(true); },
+                                  [&](const DetachPayload&) { follow(false); },
+                                  [](const SetWind&) {},
+                                  [](const SetBody&) {},
+                                  [](const ApplyDisturbance&) {},
+                                  [this](const SetRotor& rotor) { requireRotor(rotor.number); },
+                                  [](const SetBattery&) {},
+                                  [](const SetGust&) {}};
   for (const PlantEvent& planned : events) std::visit(follow_payload, planned.action);
   events_ = std::move(events);
+}
+
+void TimedPlant::requireRotor(int number) const {
+  const auto count = static_cast<int>(plant_->rotorSpeeds().size());
+  if (number >= 1 && number <= count) return;
+  throw std::invalid_argument("rotor " + std::to_string(number) +
+                              " is none of the vehicle's; it must be 1 to " +
+                              std::to_string(count));
 }
 
 std::vector<Cargo>::const_iterator TimedPlant::find(const std::string& name) const {
@@ -97,12 +110,20 @@ void TimedPlant::apply(const PlantEvent& event) {
                        [this](const DetachPayload&) { detach(); },
                        [this](const SetWind& wind) {
                          wind_ = wind.velocity;
-                         plant_->setWind(wind_);
+                         plant_->setWind(this->wind());
                        },
                        [this](const SetBody& body) { plant_->setBody(body.mass, body.inertia); },
                        [&](const ApplyDisturbance& shape) {
                          disturbances_.push_back({event.time, shape});
-                       }};
+                       },
+                       [this](const SetRotor& rotor) {
+                         plant_->setRotor(static_cast<std::size_t>(rotor.number - 1),
+                                          rotor.condition);
+                       },
+                       [&](const SetBattery& battery) {
+                         drain_ = Drain{event.time, battery_, battery};
+                       },
+                       [this](const SetGust& gust) { setGust(gust); }};
   std::visit(act, event.action);
 }
 
@@ -129,6 +150,29 @@ void TimedPlant::disturb() {
   plant_->setDisturbance(disturbance());
 }
 
+void TimedPlant::setGust(const SetGust& shape) {
+  gust_.reset();
+  if (!shape.intensity.isZero(0.0)) gust_.emplace(shape, step_);
+  plant_->setWind(wind());
+}
+
+Eigen::Vector3d TimedPlant::wind() const noexcept {
+  return gust_ ? wind_ + gust_->velocity() : wind_;
+}
+
+void TimedPlant::drain() {
+  if (!drain_) return;
+  const auto& [begin, from, end] = *drain_;
+  const Nanoseconds age = now_ - begin;
+  if (age < end.over) {
+    battery_ = from + (end.voltage - from) * (toSeconds(age) / toSeconds(end.over));
+  } else {
+    battery_ = end.voltage;
+    drain_.reset();
+  }
+  plant_->setSpeedLimit(battery_);
+}
+
 void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
   const double dt = toSeconds(step_);
   while (now_ < until) {
@@ -137,7 +181,12 @@ void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
       events_.erase(events_.begin());
     }
     disturb();
+    drain();
     plant_->step(command, dt);
+    if (gust_) {
+      gust_->advance();
+      plant_->setWind(wind());
+    }
     for (Cargo& cargo : cargo_) cargo.fall(dt, plant_->hasGround());
     now_ += step_;
     if (!crash_time_ && plant_->crash() != Crash::kNone) crash_time_ = now_;

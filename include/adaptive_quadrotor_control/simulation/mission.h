@@ -34,7 +34,17 @@ struct Mission {
 ///     attach: {at, payload}                           a name of the scenario's `payloads`
 ///     detach: {at}
 ///     wind:   {at, velocity: [x, y, z]}
+///     gust:   {at, intensity: [x, y, z], length, speed, seed}
+///             turbulence on top of the wind: standard deviations [m/s], zeros for calm; length [m]
+///             and speed [m/s] at which it passes by are 10 and 5 when not given: see SetGust
 ///     body:   {at, mass, inertia: [xx, yy, zz]}       the vehicle itself becomes another one
+///     rotor:  {at, number, effectiveness, stuck_at, slower}
+///             rotor `number` of the vehicle's file (the first is 1) breaks: it gives that share of
+///             thrust and drag moment, turns at stuck_at [rad/s] whatever is commanded, and its
+///             time constants are so many times longer; what is not given is sound (again)
+///     battery: {at, voltage, over}
+///             its voltage goes to that share of the full one, linearly over so many seconds or at
+///             once, and with it the greatest speed that the rotors can reach: see SetBattery
 ///     disturbance: {at, until, force: [x, y, z], moment: [x, y, z], angular_frequency}
 ///             in W [N] and in B [N m]; constant, or with a frequency [rad/s] a sine from 0
 ///     switch: {at, subsystem}                         laws without subsystems ignore it

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/simulation/crash.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
+#include "adaptive_quadrotor_control/simulation/rotor_condition.h"
 
 namespace aqc {
 
@@ -29,7 +31,8 @@ class Plant {
 
   /// Advances by `dt` seconds (> 0, at most longestStep()) under commanded rotor speeds [rad/s],
   /// held over the step. A command entry that is missing or not finite counts as 0, others are
-  /// clamped to what the rotors can do. After a crash the rotors run down whatever is commanded.
+  /// clamped to what the rotors can do. After a crash the rotors run down whatever is commanded,
+  /// stuck or not.
   virtual void step(const RotorArray& command, double dt) noexcept = 0;
   /// The longest step() [s] that is stable, of the vehicle as it was built.
   virtual double longestStep() const noexcept { return std::numeric_limits<double>::infinity(); }
@@ -65,6 +68,11 @@ class Plant {
   virtual void setWind(const Eigen::Vector3d& velocity) noexcept = 0;
   /// A force in W [N] and a moment in B [N m] at the centre of mass, held until changed.
   virtual void setDisturbance(const ForceMoment& disturbance) noexcept = 0;
+  /// What is wrong with rotor `index` of the vehicle, counted from 0, instead of what was before.
+  virtual void setRotor(std::size_t index, const RotorCondition& condition) noexcept = 0;
+  /// The greatest speed that rotors can reach, as a share of the vehicle's, in (0, 1], held until
+  /// changed; at first 1. Those that turn faster slow down as if that were commanded.
+  virtual void setSpeedLimit(double share) noexcept = 0;
 
  protected:
   Plant() = default;

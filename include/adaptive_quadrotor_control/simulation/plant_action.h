@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <variant>
 
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/model/force_moment.h"
 #include "adaptive_quadrotor_control/simulation/payload.h"
+#include "adaptive_quadrotor_control/simulation/rotor_condition.h"
 
 namespace aqc {
 
@@ -31,10 +33,35 @@ struct ApplyDisturbance {
   double angular_frequency = 0.0;  ///< of the sine [rad/s]; 0: constant
 };
 
+/// A rotor breaks, or is sound again.
+struct SetRotor {
+  int number = 1;  ///< in the order of the vehicle's file, whose first rotor is 1
+  RotorCondition condition;
+};
+
+/// The battery's voltage sags, or is full again. The speed of a brushless motor is K_V (V - I R)
+/// (M. Drela, First-Order DC Electric Motor Model, 2007), so that the speed that a rotor can reach
+/// falls as the voltage does: omega <= voltage omega_max, where I R is small or falls with it.
+struct SetBattery {
+  double voltage = 1.0;  ///< share of the full one in the end, > 0 to 1
+  Nanoseconds over = 0;  ///< from what it is, linearly, in this time; 0: at once
+};
+
+/// Turbulence on top of the wind, instead of any before: see Gust. The vehicle feels it by what its
+/// rotors feel of the air, which acts across their axes and in proportion (drag_coefficient,
+/// rolling_moment_coefficient): a level vehicle feels the horizontal gusts, one without drag none.
+struct SetGust {
+  Eigen::Vector3d intensity = Eigen::Vector3d::Zero();  ///< sigma on the axes of W [m/s]; 0: calm
+  double length = 10.0;                                 ///< L [m], > 0
+  double speed = 5.0;                                   ///< V at which it passes by [m/s], > 0
+  std::uint64_t seed = 0;
+};
+
 /// Something that happens to the plant. What depends on the kind asks by std::visit with one
 /// Overloaded branch for each, and no branch for "all others": a new kind does not compile until
 /// every place has decided about it (test/house/plant_action_test.py).
-using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody>;
+using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody,
+                                 SetRotor, SetBattery, SetGust>;
 
 struct PlantEvent {
   Nanoseconds time = 0;

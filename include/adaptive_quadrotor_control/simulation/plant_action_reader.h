@@ -29,4 +29,13 @@ SetBody readBody(const ParameterReader& reader);
 /// without which they are constant. `duration` must be > 0.
 ApplyDisturbance readDisturbance(const ParameterReader& reader, Nanoseconds duration);
 
+/// Reads `number`, and `effectiveness`, `stuck_at` and `slower`, which are sound when not given.
+SetRotor readRotor(const ParameterReader& reader);
+
+/// Reads `voltage`, and `over` [s], which is 0 when not given.
+SetBattery readBattery(const ParameterReader& reader);
+
+/// Reads `intensity`, and `length`, `speed` and `seed`, which are those of SetGust when not given.
+SetGust readGust(const ParameterReader& reader);
+
 }  // namespace aqc

@@ -16,9 +16,9 @@ class RigidBody;
 /// by RK4, first-order rotors, rotor drag and rolling moment, wind, ground contact.
 ///
 /// Rotor speeds follow their command with separate time constants up and down (solved exactly for
-/// a command held over the step) and stay in [0, omega_max]. The payload is a second rigid body
-/// that is fixed to the first: mass, centre of mass and inertia of the whole change, momentum does
-/// not. step() allocates nothing.
+/// a command held over the step) and stay in [0, omega_max]; see also setSpeedLimit(). The payload
+/// is a second rigid body that is fixed to the first: mass, centre of mass and inertia of the whole
+/// change, momentum does not. step() allocates nothing.
 ///
 /// A motion beyond 1e4 m/s, 1e4 rad/s or 1e6 m, one that is not finite, and a spin that a step of
 /// RK4 cannot follow have diverged: the vehicle stands still from then on where it was last within
@@ -53,6 +53,8 @@ class RigidPlant final : public Plant {
 
   void setWind(const Eigen::Vector3d& velocity) noexcept override;
   void setDisturbance(const ForceMoment& disturbance) noexcept override;
+  void setRotor(std::size_t index, const RotorCondition& condition) noexcept override;
+  void setSpeedLimit(double share) noexcept override;
 
   double mass() const noexcept { return whole_.mass; }  ///< total [kg]
   /// In B [m].

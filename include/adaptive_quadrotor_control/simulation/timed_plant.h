@@ -8,6 +8,7 @@
 #include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/simulation/cargo.h"
+#include "adaptive_quadrotor_control/simulation/gust.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
 #include "adaptive_quadrotor_control/simulation/plant_action.h"
 
@@ -24,7 +25,8 @@ class TimedPlant {
              Nanoseconds start = 0);
 
   /// Plans an event; one whose time has passed acts at the next step. Throws std::logic_error when
-  /// the payload events would not alternate: attach, detach, attach, ...
+  /// the payload events would not alternate: attach, detach, attach, ...; std::invalid_argument for
+  /// a rotor that the vehicle does not have.
   void schedule(const PlantEvent& event);
 
   /// Whether a payload of that name lies about or hangs under the vehicle.
@@ -44,26 +46,32 @@ class TimedPlant {
   const std::vector<Cargo>& cargo() const noexcept { return cargo_; }
   /// Name of the attached payload; empty without one.
   const std::string& attachedName() const noexcept { return attached_name_; }
-  /// Velocity of the air in W [m/s].
-  const Eigen::Vector3d& wind() const noexcept { return wind_; }
+  /// Velocity of the air in W [m/s]: of the wind and of the gust, which is held over a step.
+  Eigen::Vector3d wind() const noexcept;
   /// Sum of the disturbances that act at now(); each is held over a step.
   ForceMoment disturbance() const noexcept;
+  /// Voltage of the battery at the start of the last step, as a share of the full one.
+  double battery() const noexcept { return battery_; }
   /// Time of the first crash.
   std::optional<Nanoseconds> crashTime() const noexcept { return crash_time_; }
 
   const std::vector<Refusal>& refusals() const noexcept { return refusals_; }
 
  private:
+  void requireRotor(int number) const;
   void apply(const PlantEvent& event);
   void attach(const AttachPayload& attach);
   void detach();
   void disturb();
+  void setGust(const SetGust& shape);
+  void drain();
   std::vector<Cargo>::const_iterator find(const std::string& name) const;
 
   std::unique_ptr<Plant> plant_;
   std::vector<Cargo> cargo_;
   std::string attached_name_;
-  Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();  // without gusts
+  std::optional<Gust> gust_;
   Nanoseconds step_;
   Nanoseconds now_;
   std::vector<PlantEvent> events_;  // still to come, by time
@@ -72,6 +80,14 @@ class TimedPlant {
     ApplyDisturbance shape;
   };
   std::vector<ActiveDisturbance> disturbances_;  // that have begun
+  // How the battery's voltage gets to where it is to be.
+  struct Drain {
+    Nanoseconds begin;
+    double from;
+    SetBattery end;
+  };
+  std::optional<Drain> drain_;
+  double battery_ = 1.0;
   std::optional<Nanoseconds> crash_time_;
   std::vector<Refusal> refusals_;
 };

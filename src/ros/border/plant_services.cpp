@@ -120,4 +120,58 @@ ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request) {
   return readDisturbance(reader, request.for_so_long.toNSec());
 }
 
+msgs::SetRotor::Request toRequest(const SetRotor& action, const ros::Time& at) {
+  msgs::SetRotor::Request request;
+  request.at = at;
+  request.number = static_cast<std::uint8_t>(action.number);
+  request.effectiveness = action.condition.effectiveness;
+  request.stuck = action.condition.stuck_at.has_value();
+  request.stuck_at = action.condition.stuck_at.value_or(0.0);
+  request.slower = action.condition.slower;
+  return request;
+}
+
+SetRotor toAction(const msgs::SetRotor::Request& request) {
+  YAML::Node tree;
+  tree["number"] = std::to_string(request.number);
+  tree["effectiveness"] = toYaml(request.effectiveness);
+  if (request.stuck) tree["stuck_at"] = toYaml(request.stuck_at);
+  if (request.slower != 0.0) tree["slower"] = toYaml(request.slower);
+  return readRotor(ParameterReader(tree, "rotor"));
+}
+
+msgs::SetBattery::Request toRequest(const SetBattery& action, const ros::Time& at) {
+  msgs::SetBattery::Request request;
+  request.at = at;
+  request.voltage = action.voltage;
+  request.over.fromNSec(action.over);
+  return request;
+}
+
+SetBattery toAction(const msgs::SetBattery::Request& request) {
+  YAML::Node tree;
+  tree["voltage"] = toYaml(request.voltage);
+  tree["over"] = toYaml(request.over.toSec());
+  return readBattery(ParameterReader(tree, "battery"));
+}
+
+msgs::SetGust::Request toRequest(const SetGust& action, const ros::Time& at) {
+  msgs::SetGust::Request request;
+  request.at = at;
+  request.intensity = toVector3(action.intensity);
+  request.length = action.length;
+  request.speed = action.speed;
+  request.seed = static_cast<std::uint32_t>(action.seed);
+  return request;
+}
+
+SetGust toAction(const msgs::SetGust::Request& request) {
+  YAML::Node tree;
+  tree["intensity"] = toYaml(request.intensity);
+  if (request.length != 0.0) tree["length"] = toYaml(request.length);
+  if (request.speed != 0.0) tree["speed"] = toYaml(request.speed);
+  tree["seed"] = std::to_string(request.seed);
+  return readGust(ParameterReader(tree, "gust"));
+}
+
 }  // namespace aqc

@@ -5,7 +5,10 @@
 #include "adaptive_quadrotor_control/ApplyDisturbance.h"
 #include "adaptive_quadrotor_control/AttachPayload.h"
 #include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/SetBattery.h"
 #include "adaptive_quadrotor_control/SetBody.h"
+#include "adaptive_quadrotor_control/SetGust.h"
+#include "adaptive_quadrotor_control/SetRotor.h"
 #include "adaptive_quadrotor_control/SetWind.h"
 #include "adaptive_quadrotor_control/simulation/plant_action.h"
 #include "ros/border/conversions.h"
@@ -43,6 +46,21 @@ struct PlantService<ApplyDisturbance> {
   using Type = msgs::ApplyDisturbance;
   static constexpr const char* kName = "apply_disturbance";
 };
+template <>
+struct PlantService<SetRotor> {
+  using Type = msgs::SetRotor;
+  static constexpr const char* kName = "set_rotor";
+};
+template <>
+struct PlantService<SetBattery> {
+  using Type = msgs::SetBattery;
+  static constexpr const char* kName = "set_battery";
+};
+template <>
+struct PlantService<SetGust> {
+  using Type = msgs::SetGust;
+  static constexpr const char* kName = "set_gust";
+};
 
 /// The request for an action at a ROS time (zero: now), and the action that a request asks for:
 /// one from the other without a bit lost. What a scenario file may not ask for, toAction() refuses
@@ -57,5 +75,11 @@ msgs::SetBody::Request toRequest(const SetBody& action, const ros::Time& at);
 SetBody toAction(const msgs::SetBody::Request& request);
 msgs::ApplyDisturbance::Request toRequest(const ApplyDisturbance& action, const ros::Time& at);
 ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request);
+msgs::SetRotor::Request toRequest(const SetRotor& action, const ros::Time& at);
+SetRotor toAction(const msgs::SetRotor::Request& request);
+msgs::SetBattery::Request toRequest(const SetBattery& action, const ros::Time& at);
+SetBattery toAction(const msgs::SetBattery::Request& request);
+msgs::SetGust::Request toRequest(const SetGust& action, const ros::Time& at);
+SetGust toAction(const msgs::SetGust::Request& request);
 
 }  // namespace aqc

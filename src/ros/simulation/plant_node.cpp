@@ -69,6 +69,9 @@ PlantNode::PlantNode()
                serve<SetWind>(),
                serve<SetBody>(),
                serve<ApplyDisturbance>(),
+               serve<SetRotor>(),
+               serve<SetBattery>(),
+               serve<SetGust>(),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
   timer_ = node_.createSteadyTimer(ros::WallDuration(toSeconds(pacer_->interval())),

@@ -20,8 +20,8 @@ namespace aqc {
 ///
 /// In: `command/motor_speed`. Out: `odometry`, `imu`, `~status`, tf world -> base_link -> payload
 /// and, with /use_sim_time, `/clock`. Services: `~attach_payload`, `~detach_payload`, `~set_wind`,
-/// `~set_body`, `~apply_disturbance`, `~reset`, `~resume`. Parameters: `vehicle`, `scenario`
-/// (start, rates), `~lock_step`, `~real_time_factor`,
+/// `~set_body`, `~apply_disturbance`, `~set_rotor`, `~set_battery`, `~set_gust`, `~reset`,
+/// `~resume`. Parameters: `vehicle`, `scenario` (start, rates), `~lock_step`, `~real_time_factor`,
 /// `~start_paused`.
 ///
 /// In lock step the clock stands still until the command that answers the last odometry (the same

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -166,6 +167,72 @@ TEST(Mission, SwitchesBodiesAndDisturbances) {
   const auto& pulse = std::get<ApplyDisturbance>(mission.events[2].action);
   EXPECT_EQ(pulse.amplitude.moment.z(), 5e-4);
   EXPECT_EQ(pulse.angular_frequency, 0.0);
+}
+
+TEST(Mission, RotorsBreakAndAreSoundAgain) {
+  const Mission mission = read(R"(
+  - rotor: {at: 1.0, number: 2, effectiveness: 0.4, stuck_at: 300, slower: 2.5}
+  - rotor: {at: 2.0, number: 2}
+)");
+  ASSERT_EQ(mission.events.size(), 2u);
+  const auto& broken = std::get<SetRotor>(mission.events[0].action);
+  EXPECT_EQ(mission.events[0].time, kSecond);
+  EXPECT_EQ(broken.number, 2);
+  EXPECT_EQ(broken.condition.effectiveness, 0.4);
+  EXPECT_EQ(broken.condition.stuck_at, 300.0);
+  EXPECT_EQ(broken.condition.slower, 2.5);
+  EXPECT_FALSE(broken.condition.sound());
+  EXPECT_TRUE(std::get<SetRotor>(mission.events[1].action).condition.sound());
+}
+
+TEST(Mission, BatteriesSagAtOnceOrInTime) {
+  const Mission mission = read(R"(
+  - battery: {at: 1.0, voltage: 0.85}
+  - battery: {at: 2.0, voltage: 0.7, over: 2.5}
+)");
+  ASSERT_EQ(mission.events.size(), 2u);
+  EXPECT_EQ(std::get<SetBattery>(mission.events[0].action).voltage, 0.85);
+  EXPECT_EQ(std::get<SetBattery>(mission.events[0].action).over, 0);
+  EXPECT_EQ(std::get<SetBattery>(mission.events[1].action).over, 2 * kSecond + kSecond / 2);
+  expectRefused("  - battery: {at: 1, voltage: 0}\n",
+                {"'scenario/mission[0]/battery/voltage'", "'0'", "> 0 and <= 1"});
+  expectRefused("  - battery: {at: 1, voltage: 1.01}\n", {"battery/voltage'", "'1.01'"});
+  expectRefused("  - battery: {at: 1, voltage: 1, over: -1}\n", {"battery/over'", "'-1'", ">= 0"});
+}
+
+TEST(Mission, GustsBlowAndEnd) {
+  const Mission mission = read(R"(
+  - gust: {at: 1.0, intensity: [1.0, 0.5, 0.2], length: 30, speed: 7, seed: 4}
+  - gust: {at: 2.0, intensity: [0, 0, 0]}
+)");
+  ASSERT_EQ(mission.events.size(), 2u);
+  const auto& gust = std::get<SetGust>(mission.events[0].action);
+  EXPECT_EQ(gust.intensity, Eigen::Vector3d(1.0, 0.5, 0.2));
+  EXPECT_EQ(gust.length, 30.0);
+  EXPECT_EQ(gust.speed, 7.0);
+  EXPECT_EQ(gust.seed, 4u);
+  EXPECT_TRUE(std::get<SetGust>(mission.events[1].action).intensity.isZero(0.0));
+  EXPECT_EQ(std::get<SetGust>(mission.events[1].action).length, 10.0);
+  for (const auto& [entry, key] :
+       std::vector<std::array<std::string, 2>>{{"intensity: [1, -1, 1]", "intensity[1]'"},
+                                               {"intensity: [1, 1, 1], length: 0", "length'"},
+                                               {"intensity: [1, 1, 1], speed: 0", "speed'"},
+                                               {"intensity: [1, 1, 1], seed: -1", "seed'"},
+                                               {"length: 3", "intensity'"}}) {
+    expectRefused("  - gust: {at: 1, " + entry + "}\n", {"'scenario/mission[0]/gust/" + key});
+  }
+}
+
+TEST(Mission, RefusesSenselessRotors) {
+  for (const auto& [entry, key, allowed] : std::vector<std::array<std::string, 3>>{
+           {"number: 0", "number'", ">= 1 and <= 16"},
+           {"effectiveness: 0.5", "number'", "missing"},
+           {"number: 1, effectiveness: 1.1", "effectiveness'", ">= 0 and <= 1"},
+           {"number: 1, stuck_at: -1", "stuck_at'", ">= 0"},
+           {"number: 1, slower: 0.9", "slower'", ">= 1 and <= 1000"}}) {
+    expectRefused("  - rotor: {at: 1, " + entry + "}\n",
+                  {"'scenario/mission[0]/rotor/" + key, allowed});
+  }
 }
 
 TEST(Mission, RefusesSenselessSwitchesBodiesAndDisturbances) {

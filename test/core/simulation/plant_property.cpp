@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "adaptive_quadrotor_control/math/rotations.h"
@@ -104,6 +105,38 @@ RC_GTEST_PROP(Plants, KeepAUnitQuaternionAndTheirRotorsInLimits, ()) {
     RC_ASSERT(plant.rotorSpeeds().minCoeff() >= 0.0);
     RC_ASSERT(plant.rotorSpeeds().maxCoeff() <= vehicle.max_rotor_speed);
   }
+}
+
+RC_GTEST_PROP(Plants, TurnTheirRotorsNoFasterThanAWeakBatteryAllows, ()) {
+  test::Dice dice(*rc::gen::arbitrary<unsigned>());
+  const Vehicle vehicle = test::pelican();
+  RigidPlant plant(vehicle, dice.airborneState());
+  double share = 1.0;
+  for (int i = 0; i < 200; ++i) {
+    if (i % 20 == 0) plant.setSpeedLimit(share = dice.between(0.01, 1.0));
+    const double before = plant.rotorSpeeds().maxCoeff();
+    const RotorArray command = 3.0 * dice.speeds(vehicle);
+    plant.step(command, 1e-3);
+    RC_ASSERT(plant.rotorSpeeds().maxCoeff() <= std::max(before, share * vehicle.max_rotor_speed));
+  }
+}
+
+RC_GTEST_PROP(Plants, FlyTheSameBitsAfterARotorIsSoundAgain, ()) {
+  test::Dice dice(*rc::gen::arbitrary<unsigned>());
+  const Vehicle vehicle = test::pelican();
+  RigidPlant plant(vehicle, dice.airborneState());
+  RigidPlant repaired = plant;
+  for (int i = 0; i < 50; ++i) {
+    const RotorArray command = dice.speeds(vehicle);
+    if (i == 25) {
+      const auto rotor = static_cast<std::size_t>(dice.index(4));
+      repaired.setRotor(rotor, {dice.between(0.0, 1.0), std::nullopt, dice.between(1.0, 9.0)});
+      repaired.setRotor(rotor, {});
+    }
+    plant.step(command, 1e-3);
+    repaired.step(command, 1e-3);
+  }
+  RC_ASSERT(test::sameBits(plant.state(), repaired.state()));
 }
 
 }  // namespace

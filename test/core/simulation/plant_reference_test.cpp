@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <vector>
@@ -24,6 +25,7 @@ struct Textbook {
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();
   ForceMoment disturbance;
   RotorArray command;
+  std::array<RotorCondition, kMaxRotors> conditions;
 
   static Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
     Eigen::Matrix3d matrix;
@@ -56,7 +58,8 @@ struct Textbook {
                                 rotor.arm_length * std::sin(rotor.angle), 0.0);
       Eigen::Vector3d air = R.transpose() * (v - wind) + omega.cross(hub);
       air.z() = 0.0;
-      const double thrust = vehicle.force_constant * speed * speed;
+      const RotorCondition& condition = conditions[i];
+      const double thrust = condition.effectiveness * vehicle.force_constant * speed * speed;
       const Eigen::Vector3d pull =
           Eigen::Vector3d(0.0, 0.0, thrust) - std::abs(speed) * vehicle.drag_coefficient * air;
       force += pull;
@@ -64,7 +67,7 @@ struct Textbook {
       moment.z() -= rotor.direction * vehicle.moment_constant * thrust;
       const double target = command[static_cast<Eigen::Index>(i)];
       const double lag = target > speed ? vehicle.time_constant_up : vehicle.time_constant_down;
-      slope[18 + i] = (target - speed) / lag;
+      slope[18 + i] = condition.stuck_at ? 0.0 : (target - speed) / (condition.slower * lag);
     }
 
     Eigen::Matrix<double, 6, 6> matrix;
@@ -89,6 +92,9 @@ struct Textbook {
     std::copy_n(start.velocity.data(), 3, &x[3]);
     std::copy_n(rotation.data(), 9, &x[6]);
     std::copy_n(start.body_rate.data(), 3, &x[15]);
+    for (std::size_t i = 0; i < vehicle.rotors.size(); ++i) {
+      x[18 + i] = conditions[i].stuck_at.value_or(0.0);
+    }
     const auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<Numbers>>(1e-12, 1e-12);
     odeint::integrate_adaptive(stepper, *this, x, 0.0, duration, 1e-4);
     State end;
@@ -110,7 +116,7 @@ double difference(const State& a, const State& b) {
 /// One random motion, flown by both.
 struct Motion {
   Motion(const std::string& vehicle, bool loaded, test::Dice& dice)
-      : book{test::vehicleNamed(vehicle), nullptr, dice.vector(6.0), {}, {}},
+      : book{test::vehicleNamed(vehicle), nullptr, dice.vector(6.0), {}, {}, {}},
         load(dice.payload()),
         start(dice.airborneState()),
         is_loaded(loaded) {
@@ -134,6 +140,9 @@ struct Motion {
     if (is_loaded) plant.attach(load);
     plant.setWind(book.wind);
     plant.setDisturbance(book.disturbance);
+    for (std::size_t i = 0; i < book.vehicle.rotors.size(); ++i) {
+      plant.setRotor(i, book.conditions[i]);
+    }
     return plant;
   }
 
@@ -161,6 +170,24 @@ TEST(PlantReference, AgreesWithAnAdaptiveIntegratorOnRandomMotions) {
     EXPECT_LT(expected.body_rate.norm(), 30.0) << "motion " << i;
     EXPECT_LT(difference(actual, expected), 3e-6) << "motion " << i;
     EXPECT_GT((expected.position - motion.start.position).norm(), 0.1) << "motion " << i;
+  }
+}
+
+// One of each kind; small enough for the motion to stay as slow as the test's bound asks.
+TEST(PlantReference, AgreesWithAnAdaptiveIntegratorWhenRotorsAreDamaged) {
+  test::Dice dice(3);
+  for (int i = 0; i < 24; ++i) {
+    const char* names[] = {"pelican_thesis", "pelican", "hummingbird", "firefly"};
+    Motion motion(names[i % 4], i % 8 >= 4, dice);
+    const auto rotors = motion.book.vehicle.rotors.size();
+    auto& conditions = motion.book.conditions;
+    const auto first = static_cast<std::size_t>(dice.index(static_cast<int>(rotors)));
+    conditions[first].effectiveness = dice.between(0.8, 1.0);
+    conditions[(first + 1) % rotors].slower = dice.between(1.0, 3.0);
+    conditions[(first + 2) % rotors].stuck_at = motion.book.command[0] * dice.between(0.95, 1.05);
+    const State expected = motion.textbook(0.3);
+    EXPECT_LT(expected.body_rate.norm(), 30.0) << "motion " << i;
+    EXPECT_LT(difference(motion.plant(0.3, 1e-3), expected), 3e-6) << "motion " << i;
   }
 }
 

@@ -97,7 +97,10 @@ TEST(Scenario, LastPayloadChangeIsThatOfTheLastAttachOrDetach) {
   Scenario scenario;
   EXPECT_EQ(scenario.lastPayloadChange(), 0);
   scenario.mission.events = {{fromSeconds(8.0), AttachPayload{"box", test::box(0.5)}},
-                             {fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}}};
+                             {fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}},
+                             {fromSeconds(9.0), SetRotor()},
+                             {fromSeconds(9.0), SetBattery()},
+                             {fromSeconds(9.0), SetGust()}};
   EXPECT_EQ(scenario.lastPayloadChange(), fromSeconds(8.0)) << "wind is no payload";
 }
 

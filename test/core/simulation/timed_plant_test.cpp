@@ -67,6 +67,10 @@ class Scribe final : public Plant {
   void setDisturbance(const ForceMoment& disturbance) noexcept override {
     note("disturbance", disturbance.force.x());
   }
+  void setRotor(std::size_t index, const RotorCondition& condition) noexcept override {
+    note(index == 2 ? "third rotor" : "rotor", condition.effectiveness);
+  }
+  void setSpeedLimit(double share) noexcept override { note("limit", share); }
 
  private:
   void note(const char* what, double value) { notes_.push_back(formatted("%s %g", what, value)); }
@@ -83,6 +87,7 @@ TEST(TimedPlant, DrivesAnyPlant) {
   TimedPlant plant(std::make_unique<Scribe>(notes), cargo, kMillisecond);
   plant.schedule({0, SetWind{{3.0, 0.0, 0.0}}});
   plant.schedule({0, SetBody{2.5, Eigen::Matrix3d::Identity()}});
+  plant.schedule({0, SetRotor{3, {0.5, std::nullopt, 1.0}}});
   plant.schedule({0, AttachPayload{"box", {}}});
   plant.schedule(
       {kMillisecond, ApplyDisturbance{kMillisecond, {{7.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}}});
@@ -91,9 +96,9 @@ TEST(TimedPlant, DrivesAnyPlant) {
   EXPECT_EQ(plant.attachedName(), "box");
   EXPECT_EQ(plant.wind().x(), 3.0);
   plant.advance(off(), 4 * kMillisecond);
-  EXPECT_EQ(notes,
-            (Scribe::Notes{"wind 3", "body 2.5", "attach 0.25", "step 0.001", "disturbance 7",
-                           "step 0.001", "disturbance 0", "step 0.001", "detach 0", "step 0.001"}));
+  EXPECT_EQ(notes, (Scribe::Notes{"wind 3", "body 2.5", "third rotor 0.5", "attach 0.25",
+                                  "step 0.001", "disturbance 7", "step 0.001", "disturbance 0",
+                                  "step 0.001", "detach 0", "step 0.001"}));
   EXPECT_FALSE(plant.crashTime());
   plant.advance(RotorArray::Constant(4, 1.0), 6 * kMillisecond);
   EXPECT_EQ(plant.crashTime(), 5 * kMillisecond);
@@ -248,6 +253,30 @@ TEST(TimedPlant, PayloadEventsMustAlternate) {
   ASSERT_TRUE(plant.plant().payload().has_value());
   EXPECT_EQ(plant.plant().payload()->mass, 0.7);
   EXPECT_THROW(plant.schedule({0, AttachPayload{"box", test::box(0.5)}}), std::logic_error);
+}
+
+TEST(TimedPlant, TheBatterySagsLinearlyInItsTime) {
+  Scribe::Notes notes;
+  TimedPlant plant(std::make_unique<Scribe>(notes), {}, kMillisecond);
+  plant.schedule({kMillisecond, SetBattery{0.8, 4 * kMillisecond}});
+  plant.schedule({3 * kMillisecond, SetBattery{0.5, 0}});
+  plant.schedule({4 * kMillisecond, SetBattery{1.0, 2 * kMillisecond}});
+  plant.advance(off(), 8 * kMillisecond);
+  const std::string step = "step 0.001";
+  EXPECT_EQ(notes, (Scribe::Notes{step, "limit 1", step, "limit 0.95", step, "limit 0.5", step,
+                                  "limit 0.5", step, "limit 0.75", step, "limit 1", step, step}));
+  EXPECT_EQ(plant.battery(), 1.0);
+}
+
+TEST(TimedPlant, RefusesRotorsThatTheVehicleDoesNotHave) {
+  TimedPlant plant = plantAt(100.0);
+  for (const int number : {0, 5}) {
+    EXPECT_EQ(test::refusal([&] {
+                plant.schedule({0, SetRotor{number, {}}});
+              }),
+              "rotor " + std::to_string(number) + " is none of the vehicle's; it must be 1 to 4");
+  }
+  EXPECT_NO_THROW(plant.schedule({0, SetRotor{4, {}}}));
 }
 
 TEST(TimedPlant, ADetachedPayloadFallsAndCanBePickedUpAgain) {

@@ -90,6 +90,41 @@ TEST_F(PlantServices, CarryWindAndDisturbance) {
   EXPECT_EQ(toRequest(DetachPayload{}, kAt).at, kAt);
 }
 
+TEST_F(PlantServices, CarryTheConditionOfARotor) {
+  for (int i = 0; i < kTrials; ++i) {
+    SetRotor rotor{1 + i % kMaxRotors, {number(0.0, 1.0), std::nullopt, number(1.0, 1e3)}};
+    if (i % 3 == 0) rotor.condition.stuck_at = number(0.0, 1e3);
+    const SetRotor heard = sent(rotor);
+    EXPECT_EQ(heard.number, rotor.number);
+    EXPECT_EQ(heard.condition.effectiveness, rotor.condition.effectiveness);
+    EXPECT_EQ(heard.condition.stuck_at, rotor.condition.stuck_at);
+    EXPECT_EQ(heard.condition.slower, rotor.condition.slower);
+  }
+  EXPECT_EQ(sent(SetRotor{1, {1.0, 0.0, 1.0}}).condition.stuck_at, 0.0) << "a blocked motor";
+}
+
+TEST_F(PlantServices, CarryTheBattery) {
+  for (int i = 0; i < kTrials; ++i) {
+    const SetBattery battery{number(1e-3, 1.0), static_cast<Nanoseconds>(number(0.0, 1e15))};
+    EXPECT_EQ(sent(battery).voltage, battery.voltage);
+    EXPECT_EQ(sent(battery).over, battery.over);
+  }
+}
+
+TEST_F(PlantServices, CarryGusts) {
+  for (int i = 0; i < kTrials; ++i) {
+    const SetGust gust{vector(9.0).cwiseAbs(), number(0.1, 1e4), number(0.1, 100.0),
+                       static_cast<std::uint64_t>(number(0.0, 2e9))};
+    const SetGust heard = sent(gust);
+    EXPECT_EQ(heard.intensity, gust.intensity);
+    EXPECT_EQ(heard.length, gust.length);
+    EXPECT_EQ(heard.speed, gust.speed);
+    EXPECT_EQ(heard.seed, gust.seed);
+  }
+  EXPECT_EQ(toAction(msgs::SetGust::Request()).length, SetGust().length) << "when not given";
+  EXPECT_EQ(toAction(msgs::SetGust::Request()).speed, SetGust().speed) << "when not given";
+}
+
 msgs::AttachPayload::Request box() {
   msgs::AttachPayload::Request request;
   request.mass = 1.2;
@@ -150,6 +185,11 @@ TEST(PlantServiceRefusals, NameWhatIsWrongWithWindAndDisturbance) {
   wind.velocity.x = std::numeric_limits<double>::infinity();
   EXPECT_EQ(test::refusal<ParameterError>([&] { toAction(wind); }),
             "parameter 'wind/velocity[0]' is 'inf'; it must be a finite number >= -200 and <= 200");
+  msgs::SetRotor::Request rotor;
+  EXPECT_EQ(test::refusal<ParameterError>([&] { toAction(rotor); }),
+            "parameter 'rotor/number' is '0'; it must be a finite number >= 1 and <= 16");
+  rotor.number = 1;
+  EXPECT_EQ(toAction(rotor).condition.slower, 1.0) << "when it is not given";
   msgs::ApplyDisturbance::Request disturbance;
   const auto refusal = [&disturbance] {
     return test::refusal<ParameterError>([&] { toAction(disturbance); });
