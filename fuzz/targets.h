@@ -23,7 +23,7 @@ std::string flyScenarioText(const std::string& yaml);
 std::string flyEvents(const std::string& bytes);
 
 struct Target {
-  const char* name;  ///< of its folder in fuzz/corpus, and of its program fuzz_NAME
+  const char* name;  ///< of its folder in fuzz/corpus, and of its program fuzz_test_NAME
   const char*
       config;  ///< the folder of config/ with more of its inputs; null: none, it is not text
   std::string (*check)(const std::string& input);
