@@ -19,3 +19,9 @@ if(AQC_SANITIZE)
   # Eigen's assertions belong to it; -O1 keeps the tests fast and their compilation too.
   add_compile_options(-fno-sanitize-recover=all -fno-omit-frame-pointer -g1 -O1 -UNDEBUG)
 endif()
+if(AQC_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "AQC_FUZZ is ON, but only clang has libFuzzer: -DCMAKE_CXX_COMPILER=clang++")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)  # tells the fuzzer where an input goes
+endif()

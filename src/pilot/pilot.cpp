@@ -13,6 +13,7 @@ constexpr double kWeighing = 1.0;    // [s], time constant
 constexpr double kLeastMass = 0.1;   // [kg]
 // Blind, without an accelerometer, a vehicle must rather sink than climb for ever.
 constexpr double kBlindLightness = 0.98;
+constexpr const char* kUnfelt = "no vehicle feels or turns so";
 constexpr double kStreamPause = 0.5;  // [s]: a stream of single set points has ended
 
 }  // namespace
@@ -91,7 +92,7 @@ Answer Pilot::hear(const Eigen::Vector3d& specific_force, const Eigen::Vector3d&
                    Nanoseconds stamp) noexcept {
   if (guarded_) {
     if (!guarded_->gate.believes(specific_force, body_rate)) {
-      return {Publish::kNothing, "no vehicle feels or turns so", false};
+      return {Publish::kNothing, kUnfelt, false};
     }
     guarded_->reckoning.feel(specific_force, body_rate);
     guarded_->imu_silence = 0.0;
@@ -100,6 +101,9 @@ Answer Pilot::hear(const Eigen::Vector3d& specific_force, const Eigen::Vector3d&
 }
 
 Answer Pilot::hear(const Eigen::Vector3d& specific_force, Nanoseconds stamp) noexcept {
+  if (guarded_ && !guarded_->gate.believes(specific_force, Eigen::Vector3d::Zero())) {
+    return {Publish::kNothing, kUnfelt, false};
+  }
   if (!imu_.take(specific_force, stamp)) {
     return {Publish::kNothing, "it is not finite or its stamp goes back", false};
   }
@@ -242,6 +246,7 @@ void Pilot::sense(Nanoseconds now) noexcept {
 }
 
 void Pilot::plan(std::vector<TimedSetPoint> set_points, Nanoseconds now, Nanoseconds stamp) {
+  requireValid(set_points);
   if (guarded_) requireSafe(set_points, now, stamp, limits_.trajectory_age, *limits_.guard);
   const bool streamed = set_points.size() == 1;
   schedule_.replace(now, std::move(set_points));

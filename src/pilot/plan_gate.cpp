@@ -8,6 +8,14 @@
 
 namespace aqc {
 
+void requireValid(const std::vector<TimedSetPoint>& set_points) {
+  for (std::size_t i = 0; i < set_points.size(); ++i) {
+    if (set_points[i].set_point.valid()) continue;
+    throw std::invalid_argument("set point " + std::to_string(i) +
+                                " holds a number that is not finite; all must be");
+  }
+}
+
 void requireSafe(const std::vector<TimedSetPoint>& set_points, Nanoseconds now, Nanoseconds stamp,
                  Nanoseconds oldest, const GuardLimits& limits) {
   if (stamp > 0 && now - stamp > oldest) {

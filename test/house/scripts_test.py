@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/demo and scripts/test refuse what they do not understand, in one line, before they do
+"""scripts/demo, scripts/fuzz and scripts/test refuse what they do not understand, in one line, before they do
 anything; what they install and build. The folder of the scripts is in the environment variable
 SCRIPTS."""
 import os
@@ -49,6 +49,12 @@ class Scripts(unittest.TestCase):
         self.assertIn("'--magic'", lines[0])
         self.assertIn('usage', lines[1])
         self.assertIn("'--magic'", self.refused('test', '--magic')[0])
+
+    def test_fuzzing_for_what_is_no_number_of_minutes_is_refused(self):
+        for minutes in ('--magic', '0', '1.5', '-1', '1 2'):
+            lines = self.refused('fuzz', *minutes.split())
+            self.assertEqual(len(lines), 1, lines)
+            self.assertIn("'%s'" % minutes, lines[0])
 
     def test_an_option_without_its_value_is_named(self):
         self.assertIn('--controller', self.refused('demo', '--controller')[0])

@@ -62,8 +62,10 @@ class Pilot {
   /// not, when a guard watches and two periods have passed without one.
   Publish watch(Nanoseconds now) noexcept;
 
-  /// Set points that replace all that was planned after `now`: see SetPointSchedule::replace(),
-  /// which also tells what is thrown. `stamp` is that of their message, for the record.
+  /// Set points that replace all that was planned after `now`: see SetPointSchedule::replace().
+  /// `stamp` is that of their message, for the record. Throws std::invalid_argument, and changes
+  /// nothing, when replace() does, for set points that are not valid() and, with a guard, for those
+  /// that requireSafe() refuses.
   void plan(std::vector<TimedSetPoint> set_points, Nanoseconds now, Nanoseconds stamp);
   /// When a trajectory stamped `stamp` begins: then or, if that is too long ago, now.
   Nanoseconds beginning(Nanoseconds stamp, Nanoseconds now) const noexcept;
