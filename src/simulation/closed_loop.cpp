@@ -6,10 +6,12 @@
 namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
-                       std::unique_ptr<ControlLaw> law)
+                       std::unique_ptr<ControlLaw> law, const PilotLimits& limits)
     : plant_(makePlant(vehicle, scenario.world), scenario.world.cargo, scenario.world.plant_step),
       pilot_(vehicle, std::move(law), scenario.world.control_period,
-             scenario.world.sensors ? StepClock::Trigger::kTimer : StepClock::Trigger::kOdometry),
+             scenario.world.sensors || limits.guard ? StepClock::Trigger::kTimer
+                                                    : StepClock::Trigger::kOdometry,
+             limits),
       period_(scenario.world.control_period),
       plant_step_(scenario.world.plant_step),
       duration_(scenario.duration) {
@@ -19,7 +21,30 @@ ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
   }
   for (const PlantEvent& event : scenario.mission.events) plant_.schedule(event);
   for (const SwitchOrder& order : scenario.mission.switches) pilot_.order(order);
-  pilot_.plan(scenario.mission.set_points, plant_.now(), plant_.now());
+  if (Guard* guard = pilot_.guard()) {
+    set_points_ = scenario.mission.set_points;
+    guard->wasArmed();
+  } else {
+    pilot_.plan(scenario.mission.set_points, plant_.now(), plant_.now());
+  }
+}
+
+void ClosedLoop::takeOff() {
+  Guard* guard = pilot_.guard();
+  if (guard == nullptr || taken_off_) return;
+  if (!guard->armed()) guard->arm();
+  if (!guard->airborne() && guard->takeOff() != nullptr) return;
+  taken_off_ = true;
+  if (!set_points_.empty()) pilot_.plan(std::move(set_points_), plant_.now(), plant_.now());
+}
+
+void ClosedLoop::feelImu(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
+                         Nanoseconds stamp) {
+  if (pilot_.guard() != nullptr) {
+    pilot_.hear(specific_force, body_rate, stamp);
+  } else {
+    pilot_.hear(specific_force, stamp);
+  }
 }
 
 void ClosedLoop::advance() {
@@ -28,11 +53,15 @@ void ClosedLoop::advance() {
 
   if (channels_) {
     listen();
-    pilot_.tick(now);
   } else {
-    if (pilot_.law().usesSpecificForce()) pilot_.hear(plant_.plant().specificForce(), now);
-    pilot_.hear(plant_.plant().state(), now, now);
+    const State state = plant_.plant().state();
+    if (pilot_.guard() != nullptr || pilot_.law().usesSpecificForce()) {
+      feelImu(plant_.plant().specificForce(), state.body_rate, now);
+    }
+    pilot_.hear(state, now, now);
   }
+  takeOff();
+  if (pilot_.stepClock().trigger() == StepClock::Trigger::kTimer) pilot_.tick(now);
   for (const SwitchReport& report : pilot_.objections()) {
     objections_.push_back({report.time, switchObjection(report, 0)});
   }
@@ -48,7 +77,7 @@ void ClosedLoop::listen() {
   channels_->imu.observe(plant_.plant().specificForce(), state.body_rate, now);
   channels_->odometry.observe(state, now);
   while (const std::optional<ImuMessage> message = channels_->imu.receive(now)) {
-    pilot_.hear(message->specific_force, message->stamp);
+    feelImu(message->specific_force, message->body_rate, message->stamp);
   }
   while (const std::optional<OdometryMessage> message = channels_->odometry.receive(now)) {
     pilot_.hear(message->state, message->stamp, now);

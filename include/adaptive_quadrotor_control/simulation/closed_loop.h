@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,13 +18,19 @@ namespace aqc {
 /// with the state of this very instant, the rotor speeds held until its next step. In a world with
 /// `sensors` it hears what comes through their channels, when it comes, and a timer makes its
 /// steps.
+///
+/// With a guard (PilotLimits::guard) a timer makes the steps and the gyroscope is heard, too. The
+/// guard is asked to arm and to take off as soon as it obeys, a vehicle that starts in the air is
+/// taken over, and the mission's set points are planned when it flies.
 class ClosedLoop {
  public:
   /// Throws std::invalid_argument for a plant step that TimedPlant refuses.
-  ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<ControlLaw> law);
+  ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<ControlLaw> law,
+             const PilotLimits& limits = {});
 
   bool done() const noexcept { return plant_.now() >= duration_; }
-  /// One control step, then the plant until the next one.
+  /// One control step, then the plant until the next one. Throws std::invalid_argument for set
+  /// points of the mission that the guard refuses (see Pilot::plan()).
   void advance();
 
   /// What the last advance() started from and decided.
@@ -32,6 +39,8 @@ class ClosedLoop {
   const std::vector<Refusal>& objections() const noexcept { return objections_; }
   const TimedPlant& plant() const noexcept { return plant_; }
   const Pilot& pilot() const noexcept { return pilot_; }
+  /// For orders between two steps.
+  Pilot& pilot() noexcept { return pilot_; }
 
  private:
   // The channels of a world with `sensors`.
@@ -40,6 +49,9 @@ class ClosedLoop {
     ImuChannel imu;
   };
 
+  void takeOff();
+  void feelImu(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
+               Nanoseconds stamp);
   void listen();
   void advanceThroughChannels(Nanoseconds until);
 
@@ -51,6 +63,8 @@ class ClosedLoop {
   Nanoseconds plant_step_;
   Nanoseconds duration_;
   Truth truth_;  // at the time of the last control step
+  std::vector<TimedSetPoint> set_points_;  // to be planned once a guard flies
+  bool taken_off_ = false;
 };
 
 }  // namespace aqc

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "adaptive_quadrotor_control/simulation/flight_simulation.h"
 #include "support/fixtures.h"
 
@@ -56,6 +58,50 @@ TEST(ClosedLoop, EndsWithTheScenarioEvenInTheMiddleOfAControlPeriod) {
   for (; !loop.done(); ++steps) loop.advance();
   EXPECT_EQ(steps, 251);
   EXPECT_EQ(loop.plant().now(), scenario.duration);
+}
+
+PilotLimits guarded() {
+  PilotLimits limits;
+  limits.guard = GuardLimits();
+  return limits;
+}
+
+// With sensors and without: the IMU's gyroscope is what a descent without odometry needs.
+TEST(ClosedLoop, TakesOffFliesAndDescendsBlindlyWithAGuard) {
+  for (const bool sensors : {false, true}) {
+    Scenario scenario = shortScenario();
+    scenario.duration = fromSeconds(20.0);
+    scenario.world.start.position.z() = 0.1;
+    scenario.mission.events.clear();
+    if (sensors) {
+      scenario.world.sensors = SensorFaults();
+      scenario.world.sensors->odometry.period = scenario.world.control_period;
+      scenario.world.sensors->odometry.gaps = {{fromSeconds(7.0)}};
+      scenario.world.sensors->imu.period = scenario.world.control_period;
+    }
+    const Vehicle vehicle = test::pelican();
+    ClosedLoop loop(scenario, vehicle, test::lawNamed("asmc", vehicle), guarded());
+    while (loop.plant().now() < fromSeconds(6.9)) loop.advance();
+    EXPECT_EQ(loop.pilot().guard()->mode(), Mode::kFlying);
+    EXPECT_LT((loop.plant().plant().state().position - Eigen::Vector3d(0.5, -0.3, 1.5)).norm(),
+              0.2);
+    while (!loop.done()) loop.advance();
+    EXPECT_EQ(loop.pilot().guard()->mode(), sensors ? Mode::kDisarmed : Mode::kFlying);
+    EXPECT_EQ(loop.pilot().guard()->rule(), sensors ? Rule::kTouchDown : Rule::kSetPoint);
+    EXPECT_FALSE(loop.plant().crashTime());
+  }
+}
+
+TEST(ClosedLoop, TakesOverAVehicleThatStartsInTheAirWithAGuard) {
+  const Vehicle vehicle = test::pelican();
+  ClosedLoop loop(shortScenario(), vehicle, test::lawNamed("asmc", vehicle), guarded());
+  double lowest = 1.0;
+  while (!loop.done()) {
+    loop.advance();
+    lowest = std::min(lowest, loop.plant().plant().state().position.z());
+  }
+  EXPECT_EQ(loop.pilot().guard()->mode(), Mode::kFlying);
+  EXPECT_GT(lowest, 0.5);
 }
 
 TEST(ClosedLoop, HearsThroughChannelsWhenTheWorldHasSensors) {
