@@ -102,6 +102,12 @@ class RigidBody {
   RotorArray turnRotors(const RotorArray& command, double dt) noexcept;
   RotorArray turnDamagedRotors(const RotorArray& command, double dt) noexcept;
   double givenSquares(const RotorArray& speeds) const noexcept;
+  // A step with some rotor damaged or with none: who has only sound ones does not pay for the
+  // others.
+  template <bool damaged>
+  void stepAny(const RotorArray& command, double dt) noexcept;
+  void stepDamaged(const RotorArray& command, double dt) noexcept;
+  template <bool damaged>
   RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
   ForceMoment contactForce(Motion motion) const noexcept;
   Motion derivative(const Motion& motion, const RotorLoads& rotors) const noexcept;

@@ -36,6 +36,7 @@ inline Motion Motion::operator+(const Motion& other) const {
   return sum;
 }
 
+template <bool damaged>
 [[gnu::always_inline]] inline RigidBody::RotorLoads RigidBody::rotorLoads(
     const RotorArray& speeds) const noexcept {
   RotorLoads loads = {};
@@ -50,7 +51,7 @@ inline Motion Motion::operator+(const Motion& other) const {
     loads.tilting += square_and_speed[0] * hub.tilting;
     loads.arm += speed * hub.arm;
   }
-  if (damaged_) loads.sums[0] = givenSquares(speeds);
+  if (damaged) loads.sums[0] = givenSquares(speeds);
   return loads;
 }
 
@@ -58,7 +59,7 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
   disturbance_ = disturbance;
   steady_acceleration_ = inverse_mass_ * Plain3::from(disturbance.force);
   steady_acceleration_.zz -= kGravity;
-  loads_ = rotorLoads(speeds_);
+  loads_ = damaged_ ? rotorLoads<true>(speeds_) : rotorLoads<false>(speeds_);
 }
 
 // Newton and Euler for the whole of mass m and inertia J, with the centre of mass at p moving at v,
@@ -140,7 +141,6 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
 // Turns the rotors over a step; returns their speeds halfway.
 [[gnu::always_inline]] inline RotorArray RigidBody::turnRotors(const RotorArray& command,
                                                                double dt) noexcept {
-  if (damaged_) return turnDamagedRotors(command, dt);
   if (dt != step_) {  // a fixed step pays for the exponentials once
     step_ = dt;
     decay_[1] = lagDecay(0.5 * dt, vehicle_.time_constant_up);
@@ -156,11 +156,13 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
   return half;
 }
 
-void RigidBody::step(const RotorArray& command, double dt) noexcept {
-  const RotorArray speeds_half = turnRotors(command, dt);
+template <bool damaged>
+[[gnu::always_inline]] inline void RigidBody::stepAny(const RotorArray& command,
+                                                      double dt) noexcept {
+  const RotorArray speeds_half = damaged ? turnDamagedRotors(command, dt) : turnRotors(command, dt);
   const RotorLoads loads_start = loads_;
-  const RotorLoads loads_half = rotorLoads(speeds_half);
-  loads_ = rotorLoads(speeds_);
+  const RotorLoads loads_half = rotorLoads<damaged>(speeds_half);
+  loads_ = rotorLoads<damaged>(speeds_);
 
   const Plain3& v = motion_.velocity;
   const double speed_bound = std::abs(v.xy[0]) + std::abs(v.xy[1]) + std::abs(v.zz[0]);
@@ -181,6 +183,16 @@ void RigidBody::step(const RotorArray& command, double dt) noexcept {
   touching_ = false;
   if (!(absurdity(motion_, scale[0] - 1.0) < bearable_)) return standStill(start);
   if (near_contact_) judgeContact();
+}
+
+void RigidBody::step(const RotorArray& command, double dt) noexcept {
+  if (damaged_) return stepDamaged(command, dt);
+  stepAny<false>(command, dt);
+}
+
+[[gnu::noinline, gnu::cold]] void RigidBody::stepDamaged(const RotorArray& command,
+                                                         double dt) noexcept {
+  stepAny<true>(command, dt);
 }
 
 [[gnu::noinline, gnu::cold]] void RigidBody::judgeContact() noexcept {
