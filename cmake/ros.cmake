@@ -15,7 +15,7 @@ find_package(catkin REQUIRED COMPONENTS
 
 add_message_files(FILES ActiveSubsystem.msg Actuators.msg ControllerState.msg PathProgress.msg PlantStatus.msg)
 add_service_files(FILES ApplyDisturbance.srv AttachPayload.srv DetachPayload.srv FlyPath.srv GoTo.srv
-                        SetBattery.srv SetBody.srv SetGust.srv SetRotor.srv SetWind.srv)
+                        LoseCommands.srv SetBattery.srv SetBody.srv SetGust.srv SetRotor.srv SetWind.srv)
 generate_messages(DEPENDENCIES geometry_msgs nav_msgs std_msgs)
 
 catkin_package(

@@ -35,7 +35,8 @@ Backdrop backdropOf(const Scenario& scenario) {
         [](const ApplyDisturbance&) {},
         [](const SetRotor&) {},
         [](const SetBattery&) {},
-        [](const SetGust&) {}};
+        [](const SetGust&) {},
+        [](const LoseCommands&) {}};
     std::visit(add, event.action);
   }
   return backdrop;

@@ -7,7 +7,8 @@ namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
                        std::unique_ptr<ControlLaw> law, const PilotLimits& limits)
-    : plant_(makePlant(vehicle, scenario.world), scenario.world.cargo, scenario.world.plant_step),
+    : plant_(makePlant(vehicle, scenario.world), scenario.world.cargo, scenario.world.plant_step, 0,
+             scenario.world.command_timeout.value_or(0)),
       pilot_(vehicle, std::move(law), scenario.world.control_period,
              scenario.world.sensors || limits.guard ? StepClock::Trigger::kTimer
                                                     : StepClock::Trigger::kOdometry,
@@ -62,12 +63,13 @@ void ClosedLoop::advance() {
   }
   takeOff();
   if (pilot_.stepClock().trigger() == StepClock::Trigger::kTimer) pilot_.tick(now);
+  plant_.command(pilot_.allocation().speeds);
   for (const SwitchReport& report : pilot_.objections()) {
     objections_.push_back({report.time, switchObjection(report, 0)});
   }
   const Nanoseconds until = std::min(now + period_, duration_);
   if (channels_) return advanceThroughChannels(until);
-  plant_.advance(pilot_.allocation().speeds, until);
+  plant_.advance(until);
 }
 
 // Whatever the sensors measure and the pilot hears at this instant.
@@ -86,7 +88,7 @@ void ClosedLoop::listen() {
 
 void ClosedLoop::advanceThroughChannels(Nanoseconds until) {
   while (plant_.now() < until) {
-    plant_.advance(pilot_.allocation().speeds, std::min(plant_.now() + plant_step_, until));
+    plant_.advance(std::min(plant_.now() + plant_step_, until));
     if (plant_.now() < until) listen();
   }
 }

@@ -59,6 +59,7 @@ class MissionBuilder {
         {"battery", &MissionBuilder::event<&readBattery>},
         {"gust", &MissionBuilder::event<&readGust>},
         {"disturbance", &MissionBuilder::disturbance},
+        {"lose_commands", &MissionBuilder::loseCommands},
         {"switch", &MissionBuilder::change}};
     const std::vector<std::string> keys = entry.keys();
     const std::string name = keys.size() == 1 ? keys.front() : "";
@@ -222,6 +223,12 @@ class MissionBuilder {
   void disturbance(const ParameterReader& entry) {
     const Nanoseconds time = beginEvent(entry);
     plan(time, readDisturbance(entry, readEnd(entry, time) - time));
+  }
+
+  void loseCommands(const ParameterReader& entry) {
+    const Nanoseconds time = beginEvent(entry);
+    const double duration = entry.number("for", kDisturbed);
+    plan(time, readLostCommands(entry, fromSeconds(duration)));
   }
 
   void change(const ParameterReader& entry) {

@@ -5,6 +5,7 @@
 #include "adaptive_quadrotor_control/model/inertia.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "simulation/ranges.h"
 
 namespace aqc {
 namespace {
@@ -40,7 +41,8 @@ SetRotor readRotor(const ParameterReader& reader) {
   rotor.number = reader.integer("number", 1, kMaxRotors);
   RotorCondition& condition = rotor.condition;
   condition.effectiveness = reader.number("effectiveness", Range::between(0.0, 1.0), 1.0);
-  if (reader.has("stuck_at")) condition.stuck_at = reader.number("stuck_at", Range::nonNegative());
+  if (reader.has("stuck_at"))
+    condition.stuck_at = reader.number("stuck_at", Range::between(0.0, 1e5));
   condition.slower = reader.number("slower", Range::between(1.0, 1e3), 1.0);
   return rotor;
 }
@@ -54,9 +56,13 @@ SetGust readGust(const ParameterReader& reader) {
   return gust;
 }
 
+LoseCommands readLostCommands(const ParameterReader& reader, Nanoseconds duration) {
+  return {reader.number("share", Range::between(0.0, 1.0)), duration, readSeed(reader)};
+}
+
 SetBattery readBattery(const ParameterReader& reader) {
   const double voltage = reader.number("voltage", Range::positiveUpTo(1.0));
-  return {voltage, fromSeconds(reader.number("over", Range::between(0.0, 1e6), 0.0))};
+  return {voltage, fromSeconds(reader.number("over", kTime, 0.0))};
 }
 
 }  // namespace aqc

@@ -131,7 +131,7 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
     const double target = this->target(command, i);
     const double lag =
         target > speeds_[i] ? vehicle_.time_constant_up : vehicle_.time_constant_down;
-    const double decay = std::exp(-0.5 * dt / (condition.slower * lag));
+    const double decay = lagDecay(0.5 * dt, condition.slower * lag);
     half[i] = target + (speeds_[i] - target) * decay;
     speeds_[i] = target + (half[i] - target) * decay;
   }

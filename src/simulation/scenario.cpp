@@ -54,7 +54,8 @@ Nanoseconds Scenario::lastPayloadChange() const {
       [](const AttachPayload&) { return true; },     [](const DetachPayload&) { return true; },
       [](const SetBody&) { return true; },           [](const SetWind&) { return false; },
       [](const ApplyDisturbance&) { return false; }, [](const SetRotor&) { return false; },
-      [](const SetBattery&) { return false; },       [](const SetGust&) { return false; }};
+      [](const SetBattery&) { return false; },       [](const SetGust&) { return false; },
+      [](const LoseCommands&) { return false; }};
   Nanoseconds last = 0;
   for (const PlantEvent& event : mission.events) {
     if (std::visit(changes_payload, event.action)) last = event.time;

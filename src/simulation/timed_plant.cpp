@@ -8,11 +8,22 @@
 #include "adaptive_quadrotor_control/math/number_text.h"
 
 namespace aqc {
+namespace {
+
+std::unique_ptr<Plant> required(std::unique_ptr<Plant> plant) {
+  if (!plant) throw std::invalid_argument("there is no plant");
+  return plant;
+}
+
+}  // namespace
 
 TimedPlant::TimedPlant(std::unique_ptr<Plant> plant, std::vector<Cargo> cargo, Nanoseconds step,
-                       Nanoseconds start)
-    : plant_(std::move(plant)), cargo_(std::move(cargo)), step_(step), now_(start) {
-  if (!plant_) throw std::invalid_argument("there is no plant");
+                       Nanoseconds start, Nanoseconds command_timeout)
+    : plant_(required(std::move(plant))),
+      cargo_(std::move(cargo)),
+      link_(plant_->rotorSpeeds().size(), command_timeout),
+      step_(step),
+      now_(start) {
   if (step <= 0) throw std::invalid_argument("the plant's step must be > 0 ns");
   if (toSeconds(step) > plant_->longestStep()) {
     throw std::invalid_argument("the plant's step is " + numberText(toSeconds(step)) +
@@ -42,7 +53,8 @@ void TimedPlant::schedule(const PlantEvent& event) {
                                   [](const ApplyDisturbance&) {},
                                   [this](const SetRotor& rotor) { requireRotor(rotor.number); },
                                   [](const SetBattery&) {},
-                                  [](const SetGust&) {}};
+                                  [](const SetGust&) {},
+                                  [](const LoseCommands&) {}};
   for (const PlantEvent& planned : events) std::visit(follow_payload, planned.action);
   events_ = std::move(events);
 }
@@ -123,7 +135,10 @@ void TimedPlant::apply(const PlantEvent& event) {
                        [&](const SetBattery& battery) {
                          drain_ = Drain{event.time, battery_, battery};
                        },
-                       [this](const SetGust& gust) { setGust(gust); }};
+                       [this](const SetGust& gust) { setGust(gust); },
+                       [&](const LoseCommands& loss) {
+                         link_.lose(loss.share, event.time + loss.duration, loss.seed);
+                       }};
   std::visit(act, event.action);
 }
 
@@ -173,16 +188,30 @@ void TimedPlant::drain() {
   plant_->setSpeedLimit(battery_);
 }
 
+void TimedPlant::happen() {
+  while (!events_.empty() && events_.front().time <= now_) {
+    apply(events_.front());
+    events_.erase(events_.begin());
+  }
+}
+
+void TimedPlant::command(const RotorArray& speeds) {
+  happen();  // a loss that begins now concerns this command
+  link_.send(speeds, now_);
+}
+
 void TimedPlant::advance(const RotorArray& command, Nanoseconds until) {
+  if (now_ < until) this->command(command);
+  advance(until);
+}
+
+void TimedPlant::advance(Nanoseconds until) {
   const double dt = toSeconds(step_);
   while (now_ < until) {
-    while (!events_.empty() && events_.front().time <= now_) {
-      apply(events_.front());
-      events_.erase(events_.begin());
-    }
+    happen();
     disturb();
     drain();
-    plant_->step(command, dt);
+    plant_->step(link_.told(now_), dt);
     if (gust_) {
       gust_->advance();
       plant_->setWind(wind());

@@ -1,5 +1,6 @@
 #include "adaptive_quadrotor_control/simulation/world.h"
 
+#include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/rigid_plant.h"
@@ -63,6 +64,15 @@ Nanoseconds readPeriod(const ParameterReader& reader, const std::string& rate) {
   return fromSeconds(1.0 / reader.number(rate, Range::between(1.0, 1e5)));
 }
 
+Nanoseconds readCommandTimeout(const ParameterReader& reader, Nanoseconds control_period) {
+  const Nanoseconds timeout = fromSeconds(reader.number("command_timeout", kTime));
+  if (timeout != 0 && timeout <= control_period) {
+    reader.refuseValue("command_timeout", "0 for none, or longer than the control period of " +
+                                              numberText(toSeconds(control_period)) + " s");
+  }
+  return timeout;
+}
+
 World readWorld(const ParameterReader& scenario) {
   World world;
   world.control_period = readPeriod(scenario, "control_rate");
@@ -74,6 +84,12 @@ World readWorld(const ParameterReader& scenario) {
   if (scenario.has("walls")) {
     for (const ParameterReader& wall : scenario.children("walls")) {
       world.walls.push_back(readBox(wall));
+    }
+  }
+  if (scenario.has("rotors")) {
+    const ParameterReader rotors = scenario.child("rotors");
+    if (rotors.has("command_timeout")) {
+      world.command_timeout = readCommandTimeout(rotors, world.control_period);
     }
   }
   if (scenario.has("sensors")) {

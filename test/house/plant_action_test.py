@@ -13,7 +13,7 @@ import unittest
 
 SOURCE_TREE = pathlib.Path(__file__).resolve().parents[2]
 HEADER = 'adaptive_quadrotor_control/simulation/plant_action.h'
-KINDS = 'AttachPayload|DetachPayload|SetWind|ApplyDisturbance|SetBody|SetRotor|SetBattery|SetGust'
+KINDS = 'AttachPayload|DetachPayload|SetWind|ApplyDisturbance|SetBody|SetRotor|SetBattery|SetGust|LoseCommands'
 
 
 def sources():

@@ -47,6 +47,9 @@ struct Mission {
 ///             once, and with it the greatest speed that the rotors can reach: see SetBattery
 ///     disturbance: {at, until, force: [x, y, z], moment: [x, y, z], angular_frequency}
 ///             in W [N] and in B [N m]; constant, or with a frequency [rad/s] a sine from 0
+///     lose_commands: {at, share, for, seed}
+///             so many seconds long that share of the motor commands is lost; the last one that was
+///             heard stays, until the world's time-out
 ///     switch: {at, subsystem}                         laws without subsystems ignore it
 ///
 /// `at` is a time in seconds; without it the entry begins when the last leg (step, path, sine or

@@ -57,11 +57,19 @@ struct SetGust {
   std::uint64_t seed = 0;
 };
 
+/// Motor commands get lost on their way, in place of any loss before; the last one that was heard
+/// stays: see CommandLink.
+struct LoseCommands {
+  double share = 0.0;        ///< of the commands, 0 to 1
+  Nanoseconds duration = 0;  ///< from the event on
+  std::uint64_t seed = 0;
+};
+
 /// Something that happens to the plant. What depends on the kind asks by std::visit with one
 /// Overloaded branch for each, and no branch for "all others": a new kind does not compile until
 /// every place has decided about it (test/house/plant_action_test.py).
 using PlantAction = std::variant<AttachPayload, DetachPayload, SetWind, ApplyDisturbance, SetBody,
-                                 SetRotor, SetBattery, SetGust>;
+                                 SetRotor, SetBattery, SetGust, LoseCommands>;
 
 struct PlantEvent {
   Nanoseconds time = 0;

@@ -13,7 +13,7 @@ inline const Range kAngularFrequency = Range::between(0.0, 1e3);
 inline const Range kWind = Range::between(-200.0, 200.0);
 /// What a disturbance may be in each axis [N], [N m]: twenty times the weight of 500 kg.
 inline const Range kDisturbance = Range::between(-1e5, 1e5);
-/// How long one may act [s]: up to 11 days.
+/// How long one, or a loss of commands, may last [s]: up to 11 days.
 inline const Range kDisturbed = Range::positiveUpTo(1e6);
 
 // What a mission's entry and a service's request ask of the plant is judged here, whoever asks.
@@ -37,5 +37,8 @@ SetBattery readBattery(const ParameterReader& reader);
 
 /// Reads `intensity`, and `length`, `speed` and `seed`, which are those of SetGust when not given.
 SetGust readGust(const ParameterReader& reader);
+
+/// Reads `share`, and `seed`, which is 0 when not given. `duration` must be > 0.
+LoseCommands readLostCommands(const ParameterReader& reader, Nanoseconds duration);
 
 }  // namespace aqc

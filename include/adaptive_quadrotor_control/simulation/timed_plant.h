@@ -8,6 +8,7 @@
 #include "adaptive_quadrotor_control/flight/refusal.h"
 #include "adaptive_quadrotor_control/math/time.h"
 #include "adaptive_quadrotor_control/simulation/cargo.h"
+#include "adaptive_quadrotor_control/simulation/command_link.h"
 #include "adaptive_quadrotor_control/simulation/gust.h"
 #include "adaptive_quadrotor_control/simulation/plant.h"
 #include "adaptive_quadrotor_control/simulation/plant_action.h"
@@ -20,9 +21,10 @@ namespace aqc {
 class TimedPlant {
  public:
   /// `plant` must be there; `step` is the integration step, > 0 and at most the plant's
-  /// longestStep(). Throws std::invalid_argument. The clock starts at `start`.
+  /// longestStep(). Throws std::invalid_argument. The clock starts at `start`. After a silence of
+  /// `command_timeout` [ns] the rotors are commanded 0: see CommandLink.
   TimedPlant(std::unique_ptr<Plant> plant, std::vector<Cargo> cargo, Nanoseconds step,
-             Nanoseconds start = 0);
+             Nanoseconds start = 0, Nanoseconds command_timeout = 0);
 
   /// Plans an event; one whose time has passed acts at the next step. Throws std::logic_error when
   /// the payload events would not alternate: attach, detach, attach, ...; std::invalid_argument for
@@ -36,8 +38,12 @@ class TimedPlant {
   std::string obstacle(const AttachPayload& attach) const;
   static constexpr double kReach = 0.5;  ///< [m]
 
-  /// Steps until the clock reads `until` (a whole number of steps away) under rotor speeds
-  /// [rad/s]. An event that has become impossible is left out and told by refusals().
+  /// Somebody commands rotor speeds [rad/s] now, which hold until the next command or a time-out.
+  void command(const RotorArray& speeds);
+  /// Steps until the clock reads `until`, a whole number of steps away. An event that has become
+  /// impossible is left out and told by refusals().
+  void advance(Nanoseconds until);
+  /// Both, unless there is no step to make.
   void advance(const RotorArray& command, Nanoseconds until);
 
   Nanoseconds now() const noexcept { return now_; }
@@ -52,6 +58,8 @@ class TimedPlant {
   ForceMoment disturbance() const noexcept;
   /// Voltage of the battery at the start of the last step, as a share of the full one.
   double battery() const noexcept { return battery_; }
+  /// Whether the rotors are commanded 0 because no command was heard for too long.
+  bool silent() const noexcept { return link_.silent(now_); }
   /// Time of the first crash.
   std::optional<Nanoseconds> crashTime() const noexcept { return crash_time_; }
 
@@ -59,6 +67,7 @@ class TimedPlant {
 
  private:
   void requireRotor(int number) const;
+  void happen();
   void apply(const PlantEvent& event);
   void attach(const AttachPayload& attach);
   void detach();
@@ -70,6 +79,7 @@ class TimedPlant {
   std::unique_ptr<Plant> plant_;
   std::vector<Cargo> cargo_;
   std::string attached_name_;
+  CommandLink link_;
   Eigen::Vector3d wind_ = Eigen::Vector3d::Zero();  // without gusts
   std::optional<Gust> gust_;
   Nanoseconds step_;

@@ -38,6 +38,20 @@ YAML::Node inertiaOf(const Request& request) {
   return list;
 }
 
+// How long something lasts, as both requests that tell it carry it.
+template <class Request>
+YAML::Node lastingTree(const Request& request) {
+  YAML::Node tree;
+  tree["for_so_long"] = toYaml(request.for_so_long.toSec());
+  return tree;
+}
+
+template <class Request>
+Nanoseconds readDuration(const ParameterReader& reader, const Request& request) {
+  reader.number("for_so_long", kDisturbed);  // taken as it came: seconds may round it
+  return request.for_so_long.toNSec();
+}
+
 }  // namespace
 
 msgs::AttachPayload::Request toRequest(const AttachPayload& action, const ros::Time& at) {
@@ -110,14 +124,12 @@ msgs::ApplyDisturbance::Request toRequest(const ApplyDisturbance& action, const 
 }
 
 ApplyDisturbance toAction(const msgs::ApplyDisturbance::Request& request) {
-  YAML::Node tree;
-  tree["for_so_long"] = toYaml(request.for_so_long.toSec());
+  YAML::Node tree = lastingTree(request);
   tree["force"] = toYaml(request.force);
   tree["moment"] = toYaml(request.moment);
   tree["angular_frequency"] = toYaml(request.angular_frequency);
   const ParameterReader reader(tree, "disturbance");
-  reader.number("for_so_long", kDisturbed);  // taken as it came: seconds may round it
-  return readDisturbance(reader, request.for_so_long.toNSec());
+  return readDisturbance(reader, readDuration(reader, request));
 }
 
 msgs::SetRotor::Request toRequest(const SetRotor& action, const ros::Time& at) {
@@ -172,6 +184,23 @@ SetGust toAction(const msgs::SetGust::Request& request) {
   if (request.speed != 0.0) tree["speed"] = toYaml(request.speed);
   tree["seed"] = std::to_string(request.seed);
   return readGust(ParameterReader(tree, "gust"));
+}
+
+msgs::LoseCommands::Request toRequest(const LoseCommands& action, const ros::Time& at) {
+  msgs::LoseCommands::Request request;
+  request.at = at;
+  request.share = action.share;
+  request.for_so_long.fromNSec(action.duration);
+  request.seed = static_cast<std::uint32_t>(action.seed);
+  return request;
+}
+
+LoseCommands toAction(const msgs::LoseCommands::Request& request) {
+  YAML::Node tree = lastingTree(request);
+  tree["share"] = toYaml(request.share);
+  tree["seed"] = std::to_string(request.seed);
+  const ParameterReader reader(tree, "lose_commands");
+  return readLostCommands(reader, readDuration(reader, request));
 }
 
 }  // namespace aqc

@@ -5,6 +5,7 @@
 #include "adaptive_quadrotor_control/ApplyDisturbance.h"
 #include "adaptive_quadrotor_control/AttachPayload.h"
 #include "adaptive_quadrotor_control/DetachPayload.h"
+#include "adaptive_quadrotor_control/LoseCommands.h"
 #include "adaptive_quadrotor_control/SetBattery.h"
 #include "adaptive_quadrotor_control/SetBody.h"
 #include "adaptive_quadrotor_control/SetGust.h"
@@ -61,6 +62,11 @@ struct PlantService<SetGust> {
   using Type = msgs::SetGust;
   static constexpr const char* kName = "set_gust";
 };
+template <>
+struct PlantService<LoseCommands> {
+  using Type = msgs::LoseCommands;
+  static constexpr const char* kName = "lose_commands";
+};
 
 /// The request for an action at a ROS time (zero: now), and the action that a request asks for:
 /// one from the other without a bit lost. What a scenario file may not ask for, toAction() refuses
@@ -81,5 +87,7 @@ msgs::SetBattery::Request toRequest(const SetBattery& action, const ros::Time& a
 SetBattery toAction(const msgs::SetBattery::Request& request);
 msgs::SetGust::Request toRequest(const SetGust& action, const ros::Time& at);
 SetGust toAction(const msgs::SetGust::Request& request);
+msgs::LoseCommands::Request toRequest(const LoseCommands& action, const ros::Time& at);
+LoseCommands toAction(const msgs::LoseCommands::Request& request);
 
 }  // namespace aqc

@@ -24,6 +24,12 @@ Nanoseconds steadyNow() {
   return static_cast<Nanoseconds>(ros::SteadyTime::now().toNSec());
 }
 
+// In lock step the clock stands still until a command comes. The scenario knows better.
+Nanoseconds defaultCommandTimeout(const World& world, bool lock_step) {
+  constexpr Nanoseconds kUsual = 250'000'000;
+  return world.command_timeout.value_or(lock_step ? 0 : std::max(kUsual, 2 * world.control_period));
+}
+
 // For a service callback to return: it was called in order, and the answer is no.
 template <class Response>
 bool refuse(Response& response, const std::string& reason) {
@@ -43,6 +49,8 @@ PlantNode::PlantNode()
   pace.lock_step = own.flag("lock_step", false);
   pace.real_time_factor = own.number("real_time_factor", Range::positiveUpTo(1000.0), 1.0);
   pace.paused = own.flag("start_paused", false);
+  command_timeout_ = own.has("command_timeout") ? readCommandTimeout(own, world_.control_period)
+                                                : defaultCommandTimeout(world_, pace.lock_step);
   own.finish();
   if (world_.sensors) {
     throw std::invalid_argument(
@@ -72,6 +80,7 @@ PlantNode::PlantNode()
                serve<SetRotor>(),
                serve<SetBattery>(),
                serve<SetGust>(),
+               serve<LoseCommands>(),
                private_node_.advertiseService("reset", &PlantNode::onReset, this),
                private_node_.advertiseService("resume", &PlantNode::onResume, this)};
   timer_ = node_.createSteadyTimer(ros::WallDuration(toSeconds(pacer_->interval())),
@@ -81,20 +90,21 @@ PlantNode::PlantNode()
 
 void PlantNode::restart(Nanoseconds start) {
   plant_ = std::make_unique<TimedPlant>(makePlant(vehicle_, world_), world_.cargo,
-                                        world_.plant_step, start);
-  command_ = RotorArray::Zero(static_cast<Eigen::Index>(vehicle_.rotors.size()));
+                                        world_.plant_step, start, command_timeout_);
+  was_silent_ = false;
   pacer_->restart(steadyNow(), start);
 }
 
 void PlantNode::onCommand(const msgs::Actuators::ConstPtr& message) {
-  const auto rotors = static_cast<std::size_t>(command_.size());
+  const std::size_t rotors = vehicle_.rotors.size();
   if (message->angular_velocities.size() != rotors) {
     ROS_WARN_THROTTLE(1.0, "motor command dropped: it has %zu speeds, the vehicle %zu rotors",
                       message->angular_velocities.size(), rotors);
     return;
   }
   if (!pacer_->takes(toNanoseconds(message->header.stamp), plant_->now())) return;
-  command_ = Eigen::Map<const Eigen::VectorXd>(message->angular_velocities.data(), command_.size());
+  plant_->command(Eigen::Map<const Eigen::VectorXd>(message->angular_velocities.data(),
+                                                    static_cast<Eigen::Index>(rotors)));
   if (pacer_->lockStep()) advance();
 }
 
@@ -105,7 +115,12 @@ void PlantNode::onSteadyTimer(const ros::SteadyTimerEvent&) {
 }
 
 void PlantNode::advance() {
-  plant_->advance(command_, plant_->now() + world_.control_period);
+  plant_->advance(plant_->now() + world_.control_period);
+  if (plant_->silent() && !was_silent_) {
+    ROS_WARN("no motor command for %.3g s: the rotors are switched off until one comes",
+             toSeconds(command_timeout_));
+  }
+  was_silent_ = plant_->silent();
   publish();
 }
 
@@ -158,6 +173,7 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   status.header.stamp = stamp;
   status.paused = pacer_->paused();
   status.touching = plant.touching();
+  status.commands_timed_out = plant_->silent();
   status.crashed = plant_->crashTime().has_value();
   status.crash_reason = toString(plant.crash());
   if (status.crashed) status.crash_time = toRosTime(*plant_->crashTime());

@@ -20,9 +20,14 @@ namespace aqc {
 ///
 /// In: `command/motor_speed`. Out: `odometry`, `imu`, `~status`, tf world -> base_link -> payload
 /// and, with /use_sim_time, `/clock`. Services: `~attach_payload`, `~detach_payload`, `~set_wind`,
-/// `~set_body`, `~apply_disturbance`, `~set_rotor`, `~set_battery`, `~set_gust`, `~reset`,
+/// `~set_body`, `~apply_disturbance`, `~set_rotor`, `~set_battery`, `~set_gust`, `~lose_commands`,
+/// `~reset`,
 /// `~resume`. Parameters: `vehicle`, `scenario` (start, rates), `~lock_step`, `~real_time_factor`,
-/// `~start_paused`.
+/// `~start_paused`, `~command_timeout`.
+///
+/// After `~command_timeout` seconds without a motor command (0: never) the rotors are commanded 0,
+/// as motor drivers do: 0.25 s, or two control periods if that is longer. In lock step it is 0 when
+/// not given. A scenario's own (World::command_timeout) is the default where there is one.
 ///
 /// In lock step the clock stands still until the command that answers the last odometry (the same
 /// stamp) has come: a flight is then as fast as the machine allows and the same every time.
@@ -59,7 +64,8 @@ class PlantNode {
   bool simulated_time_;
   std::optional<Pacer> pacer_;  // set by the constructor
   std::unique_ptr<TimedPlant> plant_;
-  RotorArray command_;
+  Nanoseconds command_timeout_;  // 0: none
+  bool was_silent_ = false;      // there was one when it was looked at last
 
   ros::Publisher odometry_publisher_;
   ros::Publisher imu_publisher_;

@@ -104,6 +104,31 @@ TEST(ClosedLoop, TakesOverAVehicleThatStartsInTheAirWithAGuard) {
   EXPECT_GT(lowest, 0.5);
 }
 
+TEST(ClosedLoop, FliesOnTheLastCommandUntilTheTimeOutWhileCommandsAreLost) {
+  const Vehicle vehicle = test::pelican();
+  Scenario scenario = shortScenario();
+  scenario.world.ground = false;  // it falls
+  const auto flown = [&] {
+    return fly(scenario, vehicle, "geometric", test::lawNamed("geometric", vehicle), {});
+  };
+  const FlightLog sound = flown();
+  scenario.world.command_timeout = fromSeconds(0.25);
+  EXPECT_TRUE(test::sameBits(flown().samples.back().state, sound.samples.back().state))
+      << "a time-out that never comes changes nothing";
+  scenario.mission.events = {{fromSeconds(1.0), LoseCommands{1.0, fromSeconds(1.0), 1}}};
+  ClosedLoop loop(scenario, vehicle, test::lawNamed("geometric", vehicle));
+  while (loop.plant().now() < fromSeconds(1.0)) loop.advance();
+  const RotorArray last = loop.pilot().allocation().speeds;
+  while (loop.plant().now() < fromSeconds(1.23)) loop.advance();
+  EXPECT_LT((loop.plant().plant().rotorSpeeds() - last).norm(), 1e-2);
+  EXPECT_FALSE(loop.plant().silent());
+  while (loop.plant().now() < fromSeconds(1.5)) loop.advance();
+  EXPECT_LT(loop.plant().plant().rotorSpeeds().norm(), 0.2) << "ten time constants later";
+  EXPECT_TRUE(loop.plant().silent());
+  while (loop.plant().now() < fromSeconds(2.02)) loop.advance();
+  EXPECT_GT(loop.plant().plant().rotorSpeeds().norm(), 100.0) << "heard again";
+}
+
 TEST(ClosedLoop, HearsThroughChannelsWhenTheWorldHasSensors) {
   const Vehicle vehicle = test::pelican();
   Scenario scenario = shortScenario();

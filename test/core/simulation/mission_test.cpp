@@ -223,6 +223,19 @@ TEST(Mission, GustsBlowAndEnd) {
   }
 }
 
+TEST(Mission, CommandsGetLostForAWhile) {
+  const Mission mission = read("  - lose_commands: {at: 1, share: 0.3, for: 2.5, seed: 9}\n");
+  const auto& loss = std::get<LoseCommands>(mission.events.at(0).action);
+  EXPECT_EQ(loss.share, 0.3);
+  EXPECT_EQ(loss.duration, 2 * kSecond + kSecond / 2);
+  EXPECT_EQ(loss.seed, 9u);
+  for (const auto& [entry, key] : std::vector<std::array<std::string, 2>>{
+           {"share: 1.1, for: 1", "share'"}, {"share: 1, for: 0", "for'"}, {"share: 1", "for'"}}) {
+    expectRefused("  - lose_commands: {at: 1, " + entry + "}\n",
+                  {"'scenario/mission[0]/lose_commands/" + key});
+  }
+}
+
 TEST(Mission, RefusesSenselessRotors) {
   for (const auto& [entry, key, allowed] : std::vector<std::array<std::string, 3>>{
            {"number: 0", "number'", ">= 1 and <= 16"},

@@ -100,7 +100,8 @@ TEST(Scenario, LastPayloadChangeIsThatOfTheLastAttachOrDetach) {
                              {fromSeconds(9.0), SetWind{Eigen::Vector3d::Zero()}},
                              {fromSeconds(9.0), SetRotor()},
                              {fromSeconds(9.0), SetBattery()},
-                             {fromSeconds(9.0), SetGust()}};
+                             {fromSeconds(9.0), SetGust()},
+                             {fromSeconds(9.0), LoseCommands()}};
   EXPECT_EQ(scenario.lastPayloadChange(), fromSeconds(8.0)) << "wind is no payload";
 }
 

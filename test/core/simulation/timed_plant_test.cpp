@@ -268,6 +268,36 @@ TEST(TimedPlant, TheBatterySagsLinearlyInItsTime) {
   EXPECT_EQ(plant.battery(), 1.0);
 }
 
+TEST(TimedPlant, SwitchesTheRotorsOffAfterItsTimeOut) {
+  State state;
+  state.position.z() = 100.0;
+  TimedPlant plant(rigid(test::pelican(), state), {}, kMillisecond, 0, 250 * kMillisecond);
+  plant.command(RotorArray::Constant(4, 600.0));
+  plant.advance(249 * kMillisecond);
+  EXPECT_NEAR(plant.plant().rotorSpeeds()[0], 600.0, 1e-3);
+  EXPECT_FALSE(plant.silent());
+  plant.advance(250 * kMillisecond);
+  EXPECT_NEAR(plant.plant().rotorSpeeds()[0], 600.0, 1e-3) << "held over the step before";
+  EXPECT_TRUE(plant.silent());
+  plant.advance(275 * kMillisecond);
+  const double decay = std::exp(-0.025 / test::pelican().time_constant_down);
+  EXPECT_NEAR(plant.plant().rotorSpeeds()[0], 600.0 * decay, 1e-3);
+  plant.command(RotorArray::Constant(4, 600.0));
+  EXPECT_FALSE(plant.silent());
+  plant.advance(500 * kMillisecond);
+  EXPECT_NEAR(plant.plant().rotorSpeeds()[0], 600.0, 1e-3);
+}
+
+TEST(TimedPlant, LosesCommandsFromTheVeryTimeOfTheEvent) {
+  Scribe::Notes notes;
+  TimedPlant plant(std::make_unique<Scribe>(notes), {}, kMillisecond);
+  plant.schedule({2 * kMillisecond, LoseCommands{1.0, 3 * kMillisecond, 0}});
+  for (int i = 0; i < 8; ++i) {
+    plant.advance(RotorArray::Constant(4, i), (i + 1) * kMillisecond);
+    EXPECT_EQ(plant.plant().rotorSpeeds()[0], i >= 2 && i < 5 ? 1.0 : i) << i;
+  }
+}
+
 TEST(TimedPlant, RefusesRotorsThatTheVehicleDoesNotHave) {
   TimedPlant plant = plantAt(100.0);
   for (const int number : {0, 5}) {

@@ -71,6 +71,17 @@ TEST(World, AloneRefusesItsOwnMistakesAndNamesOfNoScenario) {
                 {"'scenario/plant_rate'", "whole multiple"});
 }
 
+TEST(World, HasATimeOutOfCommandsOnlyWhenItIsGiven) {
+  EXPECT_FALSE(readAlone(kWorld).command_timeout);
+  EXPECT_FALSE(readAlone(kWorld + "rotors: {}\n").command_timeout);
+  EXPECT_EQ(readAlone(kWorld + "rotors: {command_timeout: 0.25}\n").command_timeout, 250'000'000);
+  EXPECT_EQ(readAlone(kWorld + "rotors: {command_timeout: 0}\n").command_timeout, 0);
+  expectRefusal([] { readAlone(kWorld + "rotors: {command_timeout: 0.01}\n"); },
+                {"'scenario/rotors/command_timeout' is '0.01'", "0 for none", "0.01 s"});
+  expectRefusal([] { readAlone(kWorld + "rotors: {command_timeout: -1}\n"); },
+                {"'scenario/rotors/command_timeout' is '-1'", ">= 0"});
+}
+
 TEST(World, IsTheSameAloneAndInEveryScenario) {
   const std::string folder = test::sourceTree() + "/config/scenario";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

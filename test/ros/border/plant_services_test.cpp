@@ -125,6 +125,18 @@ TEST_F(PlantServices, CarryGusts) {
   EXPECT_EQ(toAction(msgs::SetGust::Request()).speed, SetGust().speed) << "when not given";
 }
 
+TEST_F(PlantServices, CarryLostCommands) {
+  for (int i = 0; i < kTrials; ++i) {
+    const LoseCommands loss{number(0.0, 1.0), static_cast<Nanoseconds>(number(1.0, 1e15)),
+                            static_cast<std::uint64_t>(number(0.0, 2e9))};
+    EXPECT_EQ(sent(loss).share, loss.share);
+    EXPECT_EQ(sent(loss).duration, loss.duration);
+    EXPECT_EQ(sent(loss).seed, loss.seed);
+  }
+  EXPECT_EQ(test::refusal<ParameterError>([] { toAction(msgs::LoseCommands::Request()); }),
+            "parameter 'lose_commands/for_so_long' is '0'; it must be a finite number > 0");
+}
+
 msgs::AttachPayload::Request box() {
   msgs::AttachPayload::Request request;
   request.mass = 1.2;
