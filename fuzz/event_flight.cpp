@@ -6,6 +6,7 @@
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "fuzz/bytes.h"
+#include "fuzz/range.h"
 #include "fuzz/shipped.h"
 #include "fuzz/targets.h"
 
@@ -16,10 +17,11 @@ constexpr Nanoseconds kPeriod = 4'000'000;
 constexpr Nanoseconds kStart = 1'000'000'000'000;
 constexpr Nanoseconds kLastStamp = 4'294'967'295'999'999'999;  // that a ros::Time can say
 constexpr int kMostEvents = 200;
-constexpr int kMostPeriods = 2500;
+constexpr int kMostPeriods = 1250;
 constexpr std::array<const char*, 4> kLaws = {"asmc", "smc", "geometric", "switched"};
 
-constexpr const char* kTooLight = "lifter_lag";  // to stand on the ground with steps of 1 ms
+// Its steps of 1 ms are too long to stand on the ground, and to spin as its rotors can spin it.
+constexpr const char* kTooLight = "lifter_lag";
 
 // A plant and a pilot that hears of it, and of much else.
 class EventFlight {
@@ -221,7 +223,7 @@ class EventFlight {
     std::string range = outOfRange(pilot_.allocation().speeds, vehicle_);
     if (!range.empty()) return range;
     const State state = plant_.state();
-    if (!state.valid()) return "the plant is nowhere";
+    if (plant_.hasGround() && !state.valid()) return "the plant is nowhere";
     if (guard() == nullptr) return "";
     const Telemetry& telemetry = pilot_.law().telemetry();
     if (!pilot_.law().finite() || !telemetry.adaptive.allFinite()) {
