@@ -20,8 +20,7 @@ constexpr int kMostEvents = 200;
 constexpr int kMostPeriods = 1250;
 constexpr std::array<const char*, 4> kLaws = {"asmc", "smc", "geometric", "switched"};
 
-// Its steps of 1 ms are too long to stand on the ground, and to spin as its rotors can spin it.
-constexpr const char* kTooLight = "lifter_lag";
+constexpr const char* kTooLight = "lifter_lag";  // to stand on the ground with steps of 1 ms
 
 // A plant and a pilot that hears of it, and of much else.
 class EventFlight {
@@ -223,7 +222,7 @@ class EventFlight {
     std::string range = outOfRange(pilot_.allocation().speeds, vehicle_);
     if (!range.empty()) return range;
     const State state = plant_.state();
-    if (plant_.hasGround() && !state.valid()) return "the plant is nowhere";
+    if (!state.valid()) return "the plant is nowhere";
     if (guard() == nullptr) return "";
     const Telemetry& telemetry = pilot_.law().telemetry();
     if (!pilot_.law().finite() || !telemetry.adaptive.allFinite()) {

@@ -58,6 +58,7 @@ std::string flyFor(double seconds, const Scenario& scenario, const Vehicle& vehi
     loop.advance();
     loop.sample();
     std::string finding = outOfRange(loop.pilot().allocation().speeds, vehicle);
+    if (finding.empty() && !loop.plant().plant().state().valid()) finding = "the plant is nowhere";
     if (!finding.empty()) return finding + ", at " + std::to_string(loop.plant().now()) + " ns";
   }
   return "";
