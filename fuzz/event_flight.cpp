@@ -6,6 +6,7 @@
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "fuzz/bytes.h"
+#include "fuzz/range.h"
 #include "fuzz/shipped.h"
 #include "fuzz/targets.h"
 
@@ -16,7 +17,7 @@ constexpr Nanoseconds kPeriod = 4'000'000;
 constexpr Nanoseconds kStart = 1'000'000'000'000;
 constexpr Nanoseconds kLastStamp = 4'294'967'295'999'999'999;  // that a ros::Time can say
 constexpr int kMostEvents = 200;
-constexpr int kMostPeriods = 2500;
+constexpr int kMostPeriods = 1250;
 constexpr std::array<const char*, 4> kLaws = {"asmc", "smc", "geometric", "switched"};
 
 constexpr const char* kTooLight = "lifter_lag";  // to stand on the ground with steps of 1 ms

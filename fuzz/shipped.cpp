@@ -3,7 +3,6 @@
 #include <map>
 
 #include "adaptive_quadrotor_control/law/law_factory.h"
-#include "adaptive_quadrotor_control/math/number_text.h"
 #include "support/source_tree.h"
 
 namespace aqc::fuzz {
@@ -20,15 +19,6 @@ std::unique_ptr<ControlLaw> shippedLaw(const std::string& name, const std::strin
   std::unique_ptr<ControlLaw>& law = laws[name + " " + vehicle];
   if (!law) law = loadLaw(test::configFile("controller/" + name), shippedVehicle(vehicle));
   return law->clone();
-}
-
-std::string outOfRange(const RotorArray& speeds, const Vehicle& vehicle) {
-  for (const double speed : speeds) {
-    if (speed >= 0.0 && speed <= vehicle.max_rotor_speed) continue;
-    return "a rotor is told " + numberText(speed) + " rad/s; 0 to " +
-           numberText(vehicle.max_rotor_speed) + " are possible";
-  }
-  return "";
 }
 
 }  // namespace aqc::fuzz

@@ -13,7 +13,4 @@ const Vehicle& shippedVehicle(const std::string& name);
 /// Made for that vehicle.
 std::unique_ptr<ControlLaw> shippedLaw(const std::string& name, const std::string& vehicle);
 
-/// Empty when rotor speeds are finite and within the vehicle's range; else what is not.
-std::string outOfRange(const RotorArray& speeds, const Vehicle& vehicle);
-
 }  // namespace aqc::fuzz

@@ -22,6 +22,10 @@ std::string flyScenarioText(const std::string& yaml);
 /// its rotors stand still, and a guard keeps the law and the set points finite.
 std::string flyEvents(const std::string& bytes);
 
+/// A byte for the kind of message, then the message as it stands on the wire, to a guarded pilot in
+/// a hover, which must stay in range and finite. Only with ROS.
+std::string hearWire(const std::string& bytes);
+
 struct Target {
   const char* name;  ///< of its folder in fuzz/corpus, and of its program fuzz_test_NAME
   const char*
@@ -29,6 +33,7 @@ struct Target {
   std::string (*check)(const std::string& input);
 };
 
+/// Those of the core.
 constexpr std::array<Target, 4> kTargets = {{{"vehicle", "vehicle", flyVehicleText},
                                              {"law", "controller", flyLawText},
                                              {"scenario", "scenario", flyScenarioText},

@@ -9,6 +9,7 @@
 #include "adaptive_quadrotor_control/law/law_factory.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "fuzz/range.h"
 #include "fuzz/shipped.h"
 #include "fuzz/targets.h"
 #include "support/source_tree.h"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr Nanoseconds kMostPlantSteps =
     3000;  // of a flight, lest a scenario of 100 kHz takes a minute
+
+constexpr double kMostSetPointRate = 1000.0;  // [Hz]
 
 // What is wrong with `act()`, or with what it throws.
 template <typename Act>
@@ -55,6 +58,7 @@ std::string flyFor(double seconds, const Scenario& scenario, const Vehicle& vehi
     loop.advance();
     loop.sample();
     std::string finding = outOfRange(loop.pilot().allocation().speeds, vehicle);
+    if (finding.empty() && !loop.plant().plant().state().valid()) finding = "the plant is nowhere";
     if (!finding.empty()) return finding + ", at " + std::to_string(loop.plant().now()) + " ns";
   }
   return "";
@@ -126,6 +130,8 @@ std::string flyLawText(const std::string& yaml) {
 
 std::string flyScenarioText(const std::string& yaml) {
   return readText(yaml, [](const ParameterReader& reader) -> std::string {
+    // A million set points a path are allowed, and take seconds.
+    if (reader.number("set_point_rate", Range::any()) > kMostSetPointRate) return "";
     const Scenario scenario = readScenario(reader);
     reader.finish();
     std::string law = "asmc";  // whatever else it names is not this target's affair
