@@ -13,6 +13,11 @@ constexpr double kUnknownRate = 4.0;
 // Whatever the silence: an attitude that is half a turn off is no vehicle's [rad].
 constexpr double kLargestTurn = 1.5;
 
+bool same(const State& a, const State& b) noexcept {
+  return a.position == b.position && a.velocity == b.velocity && a.body_rate == b.body_rate &&
+         a.attitude.coeffs() == b.attitude.coeffs();
+}
+
 }  // namespace
 
 const char* textOf(Doubt doubt) noexcept {
@@ -33,6 +38,8 @@ const char* textOf(Doubt doubt) noexcept {
       return "its velocity jumps";
     case Doubt::kTurnJump:
       return "its attitude jumps";
+    case Doubt::kFrozen:
+      return "it has frozen";
   }
   return nullptr;
 }
@@ -75,6 +82,13 @@ Doubt OdometryGate::jumped(const State& state, const State& expected,
     return Doubt::kVelocityJump;
   }
   return Doubt::kNone;
+}
+
+bool OdometryGate::frozen(const State& state) noexcept {
+  reset_ = false;
+  const bool frozen = last_ && same(state, *last_);
+  last_ = state;
+  return frozen;
 }
 
 Doubt OdometryGate::compare(const State& state, const State& expected, double silence) noexcept {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/pilot/guard_limits.h"
 
@@ -15,6 +17,7 @@ enum class Doubt {
   kPositionJump,
   kVelocityJump,
   kTurnJump,
+  kFrozen,
 };
 
 /// The reason in a few words; null for kNone.
@@ -36,22 +39,31 @@ class OdometryGate {
                 const Eigen::Vector3d& body_rate) const noexcept;
 
   /// Whether it agrees with `expected`, the motion as it must be after `silence` seconds without
-  /// odometry (an innovation gate). Messages that jump, agree with each other and come in a row
-  /// are of a source that was reset: the last of so many (see GateLimits::confirmations) is
-  /// believed, unless it is the attitude that jumped, which no reset of a map explains.
+  /// odometry (an innovation gate). Messages that jump, agree with each other
+  /// and come in a row are of a source that was reset: the last of so many (see
+  /// GateLimits::confirmations) is believed, unless it is the attitude that jumped, which no reset
+  /// of a map explains.
   Doubt compare(const State& state, const State& expected, double silence) noexcept;
+
+  /// Whether it says exactly what the message before said. In the air nothing is so still: the
+  /// source has frozen, whatever its stamps say.
+  bool frozen(const State& state) noexcept;
 
   /// Whether the last compare() took a message as a source's reset.
   bool sourceReset() const noexcept { return reset_; }
   /// The next message is the first one.
-  void forget() noexcept { agreeing_ = 0; }
+  void forget() noexcept {
+    agreeing_ = 0;
+    last_.reset();
+  }
 
  private:
   Doubt jumped(const State& state, const State& expected, double silence) const noexcept;
 
   GateLimits limits_;
-  State candidate_;   // the last that jumped
-  int agreeing_ = 0;  // how many such agreed with each other in a row
+  State candidate_;            // the last that jumped
+  std::optional<State> last_;  // that was heard
+  int agreeing_ = 0;           // how many such agreed with each other in a row
   bool reset_ = false;
 };
 

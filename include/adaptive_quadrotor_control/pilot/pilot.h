@@ -131,6 +131,7 @@ class Pilot {
     Guard guard;
     OdometryGate gate;
     DeadReckoning reckoning;
+    double empty_mass;         // of the vehicle [kg]
     double silence = 0.0;      // without odometry [s]
     double imu_silence = 0.0;  // [s]
     double plan_age = 0.0;     // [s]
