@@ -194,7 +194,7 @@ std::string drawShove(const Draw& draw) {
 
 std::string drawPayload(const Draw& draw) {
   Payload payload;
-  payload.mass = draw.dice.between(0.05, 0.45) * draw.spareThrust() / kGravity;
+  payload.mass = draw.dice.between(0.05, 0.4) * draw.spareThrust() / kGravity;
   payload.size = {0.1, 0.1, kFlatBox};
   const double aside = draw.dice.between(0.0, 0.02);
   const double angle = draw.dice.between(-M_PI, M_PI);
@@ -322,7 +322,7 @@ const std::array<FaultKindText, 27>& faultKinds() noexcept {
       {FaultKind::kNoImu, "no IMU", "for ever, never with a fault that silences odometry"},
       {FaultKind::kWind, "wind", "to 8 m/s, 2 m/s up and down"},
       {FaultKind::kShove, "shove", "to 0.8 of the weight and 0.3 N m, 0.05 to 0.5 s"},
-      {FaultKind::kPayload, "payload", "to 0.45 of the lift to spare, 2 cm off centre"},
+      {FaultKind::kPayload, "payload", "to 0.4 of the lift to spare, 2 cm off centre"},
       {FaultKind::kTetherBelow, "tether, standing", "0.5 to 5 times the spare thrust, 1 to 8 s"},
       {FaultKind::kTetherAbove, "tether, flying", "to 0.85 of the spare thrust, 0.1 to 5 s"},
       {FaultKind::kPlanEnds, "plan ends", "silent, or released"},

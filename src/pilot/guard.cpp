@@ -18,7 +18,7 @@ constexpr double kSmoothing = 0.3;      // [s], of a vertical velocity that may 
 constexpr double kSettling = 0.1;       // [s], part of touch_down_time: what does not sink stands
 constexpr double kSupport = 0.25;       // part of the weight that only the ground can hold up
 constexpr double kBlindReserve = 3.0;   // [s] longer than the way down takes
-constexpr double kBlindPatience = 1.5;  // times longer, when the IMU does not feel that it is down
+constexpr double kBlindPatience = 1.5;  // times longer with an IMU that does not feel the ground
 
 double yaw(const Eigen::Quaterniond& attitude) noexcept {
   return rollPitchYaw(attitude).z();
@@ -281,13 +281,11 @@ void Guard::settle() noexcept {
   governor_.restart(below);
 }
 
-// The time for the way down is over. Reckoned by the model it must be there then; an IMU would feel
-// it, and is waited for.
+// The time for the way down is over; an IMU would feel the ground, and is waited for.
 bool Guard::mustBeDown(const Situation& now) const noexcept {
   const double way = (place_.position.z() - ground_) / limits_.descent_speed;
   const double time = kBlindReserve + std::max(way, 0.0);
-  const bool reckoned = state_.position.z() < ground_ + kNear;
-  return mode_time_ > (reckoned && !now.feels ? time : kBlindPatience * time);
+  return mode_time_ > (now.feels ? kBlindPatience * time : time);
 }
 
 SetPoint Guard::wanted(const Situation& now) noexcept {

@@ -13,11 +13,6 @@ constexpr double kUnknownRate = 4.0;
 // Whatever the silence: an attitude that is half a turn off is no vehicle's [rad].
 constexpr double kLargestTurn = 1.5;
 
-bool same(const State& a, const State& b) noexcept {
-  return a.position == b.position && a.velocity == b.velocity && a.body_rate == b.body_rate &&
-         a.attitude.coeffs() == b.attitude.coeffs();
-}
-
 }  // namespace
 
 const char* textOf(Doubt doubt) noexcept {
@@ -84,11 +79,9 @@ Doubt OdometryGate::jumped(const State& state, const State& expected,
   return Doubt::kNone;
 }
 
-bool OdometryGate::frozen(const State& state) noexcept {
-  reset_ = false;
-  const bool frozen = last_ && same(state, *last_);
-  last_ = state;
-  return frozen;
+bool OdometryGate::frozen(const State& state, const State& last) noexcept {
+  return state.position == last.position && state.velocity == last.velocity &&
+         state.body_rate == last.body_rate && state.attitude.coeffs() == last.attitude.coeffs();
 }
 
 Doubt OdometryGate::compare(const State& state, const State& expected, double silence) noexcept {

@@ -72,10 +72,8 @@ Answer Pilot::hear(const State& heard, Nanoseconds stamp, Nanoseconds now) noexc
 
 // Whether it disagrees with what the vehicle must be doing.
 Doubt Pilot::doubt(const State& state) noexcept {
-  if (!guarded_ || !located_) return Doubt::kNone;
-  const bool frozen = guarded_->gate.frozen(state);
-  if (!guarded_->guard.flies()) return Doubt::kNone;
-  if (frozen) return Doubt::kFrozen;
+  if (!guarded_ || !located_ || !guarded_->guard.flies()) return Doubt::kNone;
+  if (OdometryGate::frozen(state, sensed_.state)) return Doubt::kFrozen;
   if (!guarded_->guard.airborne()) return Doubt::kNone;
   const State expected = guarded_->reckoning.state();
   const Doubt doubt = guarded_->gate.compare(state, expected, guarded_->silence);

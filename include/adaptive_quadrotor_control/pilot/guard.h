@@ -109,7 +109,7 @@ class Guard {
   ReferenceGovernor governor_;
   Mode mode_ = Mode::kDisarmed;
   Rule rule_ = Rule::kNone;
-  SetPoint place_;         // to hold, or to rise or sink from
+  SetPoint place_;  // to hold, or to rise or sink from
   SetPoint goal_;
   State state_;            // of the last step
   bool located_ = false;   // it was ever known

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/pilot/guard_limits.h"
 
@@ -45,25 +43,21 @@ class OdometryGate {
   /// of a map explains.
   Doubt compare(const State& state, const State& expected, double silence) noexcept;
 
-  /// Whether it says exactly what the message before said. In the air nothing is so still: the
-  /// source has frozen, whatever its stamps say.
-  bool frozen(const State& state) noexcept;
+  /// Whether it says exactly what the `last` message said that was believed. In the air nothing is
+  /// so still: the source has frozen, whatever its stamps say.
+  static bool frozen(const State& state, const State& last) noexcept;
 
   /// Whether the last compare() took a message as a source's reset.
   bool sourceReset() const noexcept { return reset_; }
   /// The next message is the first one.
-  void forget() noexcept {
-    agreeing_ = 0;
-    last_.reset();
-  }
+  void forget() noexcept { agreeing_ = 0; }
 
  private:
   Doubt jumped(const State& state, const State& expected, double silence) const noexcept;
 
   GateLimits limits_;
-  State candidate_;            // the last that jumped
-  std::optional<State> last_;  // that was heard
-  int agreeing_ = 0;           // how many such agreed with each other in a row
+  State candidate_;   // the last that jumped
+  int agreeing_ = 0;  // how many such agreed with each other in a row
   bool reset_ = false;
 };
 
