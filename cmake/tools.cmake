@@ -10,12 +10,20 @@ file(GLOB figure_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/figures/*.c
 add_library(aqc_figures ${figure_sources})
 target_link_libraries(aqc_figures PUBLIC aqc_report)
 
-foreach(program fly vehicle_urdf)
+# Fault flights by the thousand.
+find_package(Threads REQUIRED)
+file(GLOB campaign_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/campaign/*.cpp)
+add_library(aqc_campaign ${campaign_sources})
+target_include_directories(aqc_campaign PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+target_link_libraries(aqc_campaign PUBLIC aqc_core Threads::Threads)
+
+foreach(program fly fault_flights vehicle_urdf)
   add_executable(${program} ${PROJECT_SOURCE_DIR}/src/apps/${program}.cpp)
   target_link_libraries(${program} aqc_figures CLI11::CLI11)
   install(TARGETS ${program} RUNTIME DESTINATION ${AQC_PROGRAM_DESTINATION})
 endforeach()
-install(TARGETS aqc_report aqc_figures
+target_link_libraries(fault_flights aqc_campaign)
+install(TARGETS aqc_report aqc_figures aqc_campaign
   ARCHIVE DESTINATION ${AQC_LIB_DESTINATION}
   LIBRARY DESTINATION ${AQC_LIB_DESTINATION}
   RUNTIME DESTINATION ${AQC_BIN_DESTINATION})

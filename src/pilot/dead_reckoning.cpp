@@ -3,6 +3,18 @@
 namespace aqc {
 namespace {
 
+constexpr double kGain = 0.1;              // of a message
+constexpr double kBiasGain = kGain / 5.0;  // [1/s]: a bias is known after 5 s
+// What differs by more is no bias but a push, as of a load that was picked up.
+constexpr double kLargestGain = 0.02;      // [m/s]
+constexpr double kLargestTurn = 0.005;     // [rad]
+constexpr double kLargestForceBias = 1.0;  // [m/s^2]
+constexpr double kLargestRateBias = 0.1;   // [rad/s]
+
+Eigen::Vector3d within(const Eigen::Vector3d& vector, double most) noexcept {
+  return vector.cwiseMax(-most).cwiseMin(most);
+}
+
 // The turn of a body that spins at `rate` for `dt` seconds.
 Eigen::Quaterniond turn(const Eigen::Vector3d& rate, double dt) noexcept {
   const double speed = rate.norm();
@@ -23,10 +35,24 @@ void DeadReckoning::feel(const Eigen::Vector3d& specific_force,
   felt_ = true;
 }
 
+void DeadReckoning::correct(const State& state) noexcept {
+  if (!felt_) return restart(state);
+  Eigen::Quaterniond apart = state_.attitude.conjugate() * state.attitude;
+  if (apart.w() < 0.0) apart.coeffs() *= -1.0;
+  const Eigen::Vector3d turned = 2.0 * apart.vec();
+  const Eigen::Vector3d gained = state.velocity - state_.velocity;
+  const Eigen::Vector3d felt = state_.attitude.conjugate() * within(gained, kLargestGain);
+  force_bias_ = within(force_bias_ - kBiasGain * felt, kLargestForceBias);
+  rate_bias_ = within(rate_bias_ - kBiasGain * within(turned, kLargestTurn), kLargestRateBias);
+  state_.position += kGain * (state.position - state_.position);
+  state_.velocity += kGain * gained;
+  state_.attitude = (state_.attitude * turn(turned, kGain)).normalized();
+}
+
 void DeadReckoning::advance(const Wrench& given, double mass, double dt) noexcept {
-  Eigen::Vector3d specific_force = specific_force_;
+  Eigen::Vector3d specific_force = specific_force_ - force_bias_;
   if (felt_) {
-    state_.body_rate = body_rate_;
+    state_.body_rate = body_rate_ - rate_bias_;
   } else {
     specific_force = given.thrust / mass * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d spin = inertia_ * state_.body_rate;

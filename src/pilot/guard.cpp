@@ -9,10 +9,16 @@
 namespace aqc {
 namespace {
 
-constexpr double kLiftedOff = 0.05;    // [m] above where it stood
-constexpr double kNear = 0.3;          // [m] above the ground: close to it
-constexpr double kStill = 0.1;         // [m/s]: does not sink
-constexpr double kBlindReserve = 3.0;  // [s] longer than the way down takes
+constexpr double kLiftedOff = 0.05;     // [m] above where it stood
+constexpr double kNear = 0.3;           // [m] above the ground: close to it
+constexpr double kStill = 0.1;          // [m/s]: does not sink
+constexpr double kSlow = 0.5;           // [m/s]: slow enough to touch down
+constexpr double kBraking = 4.0;        // [s], at the most until a landing sinks
+constexpr double kSmoothing = 0.3;      // [s], of a vertical velocity that may be noisy
+constexpr double kSettling = 0.1;       // [s], part of touch_down_time: what does not sink stands
+constexpr double kSupport = 0.25;       // part of the weight that only the ground can hold up
+constexpr double kBlindReserve = 3.0;   // [s] longer than the way down takes
+constexpr double kBlindPatience = 1.5;  // times longer with an IMU that does not feel the ground
 
 double yaw(const Eigen::Quaterniond& attitude) noexcept {
   return rollPitchYaw(attitude).z();
@@ -33,7 +39,10 @@ SetPoint standing(const State& state) noexcept {
 }  // namespace
 
 Guard::Guard(const GuardLimits& limits, double max_thrust)
-    : limits_(limits), max_thrust_(max_thrust), governor_(limits.governor) {}
+    : limits_(limits),
+      max_thrust_(max_thrust),
+      governor_(limits.governor),
+      ground_(limits.ground) {}
 
 void Guard::enter(Mode mode, Rule rule) noexcept {
   if (mode_ == Mode::kKilled) return;
@@ -75,7 +84,7 @@ const char* Guard::takeOff() noexcept {
 const char* Guard::land() noexcept {
   if (!airborne()) return "it does not fly";
   if (mode_ == Mode::kDescending) return "it descends already";
-  place_ = governor_.setPoint();
+  restAhead();
   enter(Mode::kLanding, Rule::kOperator);
   return nullptr;
 }
@@ -123,12 +132,17 @@ void Guard::restartReference(const State& moving) noexcept {
 void Guard::heardOdometry(const State& state) noexcept {
   if (mode_ != Mode::kDescending) return;
   restartReference(state);
-  brake(Rule::kOdometryBack);
+  restAhead();
+  const bool lands = was_landing_ || state.position.z() < stood_at_ + kNear;
+  enter(lands ? Mode::kLanding : Mode::kHolding, Rule::kOdometryBack);
 }
 
 void Guard::sourceReset(const State& expected, const State& said) noexcept {
   const double turn = yaw(said.attitude) - yaw(expected.attitude);
-  governor_.shift(said.position - expected.position, turn);
+  const Eigen::Vector3d shift = said.position - expected.position;
+  governor_.shift(shift, turn);
+  stood_at_ += shift.z();
+  ground_ += shift.z();
   if (!airborne()) return;
   restAhead();
   enter(mode_ == Mode::kLanding ? Mode::kLanding : Mode::kHolding, Rule::kSourceReset);
@@ -155,8 +169,8 @@ void Guard::begin(const Situation& now) noexcept {
   if (mode_ != Mode::kDisarmed) return;
   if (was_armed_) {
     was_armed_ = false;
-    if (state_.position.z() > limits_.ground + kNear) {
-      stood_at_ = limits_.ground;
+    if (state_.position.z() > ground_ + kNear) {
+      stood_at_ = ground_;
       airborne_ = true;
       restartReference(state_);
       brake(Rule::kAirborne);
@@ -183,6 +197,7 @@ void Guard::watchOdometry(const Situation& now) noexcept {
     rule_ = Rule::kOdometryLate;
     return;
   }
+  was_landing_ = mode_ == Mode::kLanding;
   restartReference(state_);
   restAhead();
   enter(Mode::kDescending, Rule::kOdometryLost);
@@ -201,15 +216,13 @@ void Guard::watchAttitude(const Situation& now) noexcept {
 void Guard::watchLift(const Situation& now) noexcept {
   const bool flies = airborne() && mode_ != Mode::kLanding && mode_ != Mode::kDescending;
   const bool heavy = flies && now.mass * kGravity > limits_.overload * max_thrust_;
-  const bool no_thrust_left = flies && now.given->requested.thrust >= max_thrust_ &&
-                              now.given->saturated &&
-                              state_.position.z() < governor_.setPoint().position.z();
   const bool overload = overloaded_.update(heavy, now.dt, limits_.overload_time);
-  const bool saturation = saturated_.update(no_thrust_left, now.dt, limits_.saturation_time);
+  const bool saturation =
+      saturated_.update(flies && thrustIsShort(now), now.dt, limits_.saturation_time);
   if (armed() && !now.law_finite) {
     enter(airborne() ? Mode::kLanding : Mode::kDisarmed, Rule::kLawNotFinite);
   } else if (overload || saturation) {
-    place_ = governor_.setPoint();
+    restAhead();
     enter(Mode::kLanding, overload ? Rule::kOverload : Rule::kSaturation);
   }
 }
@@ -231,17 +244,12 @@ void Guard::watchPlan(const Situation& now) noexcept {
   }
 }
 
-// The IMU feels the weight that the rotors do not carry.
-bool Guard::groundCarries(const Situation& now) const noexcept {
-  return now.feels && now.felt_lift > 0.7 * kGravity &&
-         now.given->achieved.thrust < 0.6 * now.mass * kGravity;
-}
-
 // Modes that end by themselves.
 void Guard::progress(const Situation& now) noexcept {
   mode_time_ += now.dt;
+  climbing_ += std::min(now.dt / kSmoothing, 1.0) * (state_.velocity.z() - climbing_);
   const double risen = state_.position.z() - stood_at_;
-  if (armed() && mode_ != Mode::kArmed && risen > kLiftedOff) airborne_ = true;
+  if (flies() && risen > kLiftedOff) airborne_ = true;
   if (mode_ == Mode::kTakingOff) {
     if (risen >= limits_.take_off_height - 0.1) {
       place_.position.z() = stood_at_ + limits_.take_off_height;
@@ -255,13 +263,29 @@ void Guard::progress(const Situation& now) noexcept {
   const bool blind = mode_ == Mode::kDescending;
   if (mode_ != Mode::kLanding && !blind) return;
   const bool above = governor_.setPoint().position.z() < state_.position.z() - 0.2;
-  const bool stands = blind ? groundCarries(now) : above && std::abs(state_.velocity.z()) < kStill;
-  if (standing_.update(stands, now.dt, limits_.touch_down_time)) {
+  const bool stands = blind ? now.support > kSupport : above && std::abs(climbing_) < kStill;
+  const bool stood = standing_.update(stands, now.dt, limits_.touch_down_time);
+  if (standing_.time >= kSettling) settle();
+  if (stood) {
     enter(Mode::kDisarmed, Rule::kTouchDown);
-  } else if (blind && mode_time_ > kBlindReserve + (place_.position.z() - limits_.ground) /
-                                                       limits_.descent_speed) {
+  } else if (blind && mustBeDown(now)) {
     enter(Mode::kDisarmed, Rule::kBlindEnd);
   }
+}
+
+// A vehicle on its feet must not lean towards a place aside.
+void Guard::settle() noexcept {
+  SetPoint below = governor_.setPoint();
+  below.position.head<2>() = place_.position.head<2>() = state_.position.head<2>();
+  below.velocity.head<2>().setZero();
+  governor_.restart(below);
+}
+
+// The time for the way down is over; an IMU would feel the ground, and is waited for.
+bool Guard::mustBeDown(const Situation& now) const noexcept {
+  const double way = (place_.position.z() - ground_) / limits_.descent_speed;
+  const double time = kBlindReserve + std::max(way, 0.0);
+  return mode_time_ > (now.feels ? kBlindPatience * time : time);
 }
 
 SetPoint Guard::wanted(const Situation& now) noexcept {
@@ -283,18 +307,25 @@ SetPoint Guard::wanted(const Situation& now) noexcept {
       wanted.jerk.setZero();
       wanted.yaw_rate = wanted.yaw_acceleration = 0.0;
     }
-  } else if (mode_ == Mode::kLanding || mode_ == Mode::kDescending) {
-    sink(mode_ == Mode::kLanding ? limits_.landing_speed : limits_.descent_speed);
+  } else if (mode_ == Mode::kDescending) {
+    sink(limits_.descent_speed);
+  } else if (mode_ == Mode::kLanding) {
+    const bool brakes = mode_time_ < kBraking && state_.velocity.head<2>().norm() > kSlow;
+    sink(brakes ? 0.0 : limits_.landing_speed);
   }
   return wanted;
 }
 
-// Estimates rest on the ground, without odometry, and while more thrust than there is would be
-// learned.
+// All the thrust there is, and it does not suffice.
+bool Guard::thrustIsShort(const Situation& now) const noexcept {
+  return now.given->requested.thrust >= max_thrust_ && now.given->saturated &&
+         state_.position.z() < governor_.setPoint().position.z();
+}
+
+// Estimates rest on the ground, without odometry or an IMU that tells of what is not known, and
+// while more thrust than there is would be learned.
 bool Guard::mayLearn(const Situation& now) const noexcept {
-  if (now.silence >= limits_.odometry_late) return false;
-  const bool below = state_.position.z() < governor_.setPoint().position.z();
-  if (now.given->saturated && below) return false;
+  if ((now.silence >= limits_.odometry_late && !now.feels) || thrustIsShort(now)) return false;
   return airborne_ || mode_ == Mode::kTakingOff;
 }
 
@@ -310,6 +341,14 @@ Finding Guard::judge() const {
   finding.reason = std::string(toString(mode_)) + ": " + text.check;
   finding.values = {{"mode", toString(mode_)}, {"rule", text.name}};
   return finding;
+}
+
+// The lowest height to go to: whoever flies there in a tilt must not scrape the ground.
+double Guard::floor() const noexcept {
+  if (mode_ == Mode::kLanding || mode_ == Mode::kDescending) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  return mode_ == Mode::kTakingOff ? stood_at_ : stood_at_ + limits_.clearance;
 }
 
 Decision Guard::step(const Situation& now) noexcept {
@@ -328,13 +367,12 @@ Decision Guard::step(const Situation& now) noexcept {
   Decision decision;
   decision.forget = !now.law_finite;
   if (mode_ == Mode::kArmed) decision.idle = limits_.idle_speed;
-  if (!armed() || mode_ == Mode::kArmed) return decision;
-  const bool sinks = mode_ == Mode::kLanding || mode_ == Mode::kDescending;
-  const double floor = sinks ? -std::numeric_limits<double>::infinity() : stood_at_;
+  if (!flies()) return decision;
   const double thrust_to_weight = max_thrust_ / (std::max(now.mass, 1e-3) * kGravity);
   goal_ = wanted(now);
-  decision.set_point = &governor_.follow(goal_, state_.position, thrust_to_weight, floor, now.dt);
+  decision.set_point = &governor_.follow(goal_, state_.position, thrust_to_weight, floor(), now.dt);
   decision.learn = mayLearn(now);
+  decision.stands = mode_ == Mode::kDescending && standing_.time >= kSettling;
   return decision;
 }
 

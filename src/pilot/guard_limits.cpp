@@ -46,6 +46,7 @@ GuardLimits readGuardLimits(const ParameterReader& reader) {
   readPositive(reader, "set_point_bound", limits.set_point_bound);
   readPositive(reader, "trajectory_lead", limits.trajectory_lead);
   limits.ground = reader.number("ground", Range::between(-kMost, kMost), limits.ground);
+  limits.clearance = reader.number("clearance", Range::between(0.0, kMost), limits.clearance);
   readPositive(reader, "take_off_height", limits.take_off_height);
   readPositive(reader, "take_off_speed", limits.take_off_speed);
   readPositive(reader, "lift_off_time", limits.lift_off_time);

@@ -14,7 +14,7 @@ const std::array<RuleText, 21>& guardRules() noexcept {
       {Rule::kSetPoint, "set point", "a new set point while holding", "fly it"},
       {Rule::kSetPointOld, "set point old", "none for `set_point_age`", "brake and hold"},
       {Rule::kOdometryLate, "odometry late", "none for `odometry_late`",
-       "fly by dead reckoning, learn nothing"},
+       "fly by dead reckoning; learn nothing without an IMU"},
       {Rule::kOdometryLost, "odometry lost", "none for `odometry_lost`",
        "level, descend at `descent_speed` by dead reckoning"},
       {Rule::kOdometryBack, "odometry back", "it comes again", "hold where the vehicle is"},

@@ -33,6 +33,8 @@ const char* textOf(Doubt doubt) noexcept {
       return "its velocity jumps";
     case Doubt::kTurnJump:
       return "its attitude jumps";
+    case Doubt::kFrozen:
+      return "it has frozen";
   }
   return nullptr;
 }
@@ -75,6 +77,11 @@ Doubt OdometryGate::jumped(const State& state, const State& expected,
     return Doubt::kVelocityJump;
   }
   return Doubt::kNone;
+}
+
+bool OdometryGate::frozen(const State& state, const State& last) noexcept {
+  return state.position == last.position && state.velocity == last.velocity &&
+         state.body_rate == last.body_rate && state.attitude.coeffs() == last.attitude.coeffs();
 }
 
 Doubt OdometryGate::compare(const State& state, const State& expected, double silence) noexcept {

@@ -27,7 +27,7 @@ Pilot::Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanosecond
       imu_(limits.specific_force_age, limits.clock.new_start) {
   if (!limits.guard) return;
   guarded_.emplace(Guarded{Guard(*limits.guard, vehicle.maxThrust()),
-                           OdometryGate(limits.guard->gate), DeadReckoning(vehicle)});
+                           OdometryGate(limits.guard->gate), DeadReckoning(vehicle), vehicle.mass});
   controller_.bound({vehicle.maxThrust() / kGravity});
 }
 
@@ -72,7 +72,9 @@ Answer Pilot::hear(const State& heard, Nanoseconds stamp, Nanoseconds now) noexc
 
 // Whether it disagrees with what the vehicle must be doing.
 Doubt Pilot::doubt(const State& state) noexcept {
-  if (!guarded_ || !located_ || !guarded_->guard.airborne()) return Doubt::kNone;
+  if (!guarded_ || !located_ || !guarded_->guard.flies()) return Doubt::kNone;
+  if (OdometryGate::frozen(state, sensed_.state)) return Doubt::kFrozen;
+  if (!guarded_->guard.airborne()) return Doubt::kNone;
   const State expected = guarded_->reckoning.state();
   const Doubt doubt = guarded_->gate.compare(state, expected, guarded_->silence);
   if (guarded_->gate.sourceReset()) guarded_->guard.sourceReset(expected, state);
@@ -80,11 +82,17 @@ Doubt Pilot::doubt(const State& state) noexcept {
 }
 
 void Pilot::takeOver(const State& state) noexcept {
+  const bool follows = located_;
   sensed_.state = state;
   located_ = true;
   if (!guarded_) return;
   guarded_->guard.heardOdometry(state);
-  guarded_->reckoning.correct(state);
+  if (follows && guarded_->silence < limits_.guard->odometry_late &&
+      !guarded_->gate.sourceReset()) {
+    guarded_->reckoning.correct(state);
+  } else {
+    guarded_->reckoning.restart(state);
+  }
   guarded_->silence = 0.0;
 }
 
@@ -161,7 +169,10 @@ Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
   }
   now.silence = guarded.silence;
   now.feels = guarded.reckoning.feels();
-  now.felt_lift = guarded.reckoning.feltLift();
+  if (now.feels) {
+    now.support = guarded.reckoning.feltLift() / kGravity -
+                  controller_.given().thrust / (guarded.empty_mass * kGravity);
+  }
   now.planned = planned;
   now.plan_ended =
       schedule_.pending() == 0 && (!guarded.streamed || guarded.plan_age > kStreamPause);
@@ -195,6 +206,7 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
   const Decision decision = guarded.guard.step(situation);
   switchSubsystem(now);
   sense(now);
+  if (decision.stands) guarded.reckoning.stand();
   if (decision.forget) controller_.forget();
   if (decision.set_point != nullptr) {
     set_point_ = *decision.set_point;

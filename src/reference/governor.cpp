@@ -169,12 +169,16 @@ Motion<N> partOf(const SetPoint& s) noexcept {
           s.acceleration.segment<N>(First), s.jerk.segment<N>(First)};
 }
 
+// The reference slows down from half of the lead on, horizontally and vertically apart: one that
+// waits for the vehicle sideways must go on sinking.
 template <int N, int First>
-void advancePart(SetPoint& s, const SetPoint& wanted, const Bounds& bounds, const Lead<3>& lead,
-                 double dt) noexcept {
+void advancePart(SetPoint& s, const SetPoint& wanted, const Bounds& bounds,
+                 const Eigen::Vector3d& ahead, double longest, double dt) noexcept {
   Motion<N> motion = partOf<N, First>(s);
-  advance<N>(motion, partOf<N, First>(wanted), bounds, {lead.ahead.segment<N>(First), lead.speed},
-             dt);
+  Lead<N> lead = {ahead.segment<N>(First), 1.0};
+  const double length = lead.ahead.norm();
+  if (length > 0.5 * longest) lead.speed = std::max(0.0, 2.0 - 2.0 * length / longest);
+  advance<N>(motion, partOf<N, First>(wanted), bounds, lead, dt);
   s.position.segment<N>(First) = motion.position;
   s.velocity.segment<N>(First) = motion.velocity;
   s.acceleration.segment<N>(First) = motion.acceleration;
@@ -259,17 +263,15 @@ void ReferenceGovernor::step(const Eigen::Vector3d& actual, double thrust_to_wei
   const double aside = std::sqrt(std::max(0.0, thrust * thrust - lift * lift));
   const double horizontal = std::min(l.acceleration, std::max(kLeastAcceleration, aside));
 
-  Lead<3> lead = {reference_.position - actual, 1.0};
-  const double ahead = lead.ahead.norm();
-  if (ahead > 0.5 * l.lead) lead.speed = std::max(0.0, 2.0 - 2.0 * ahead / l.lead);
+  const Eigen::Vector3d ahead = reference_.position - actual;
   advancePart<2, 0>(
       reference_, wanted_,
-      {l.horizontal_speed, l.horizontal_speed, horizontal, l.jerk, l.jerk / l.acceleration}, lead,
-      dt);
+      {l.horizontal_speed, l.horizontal_speed, horizontal, l.jerk, l.jerk / l.acceleration}, ahead,
+      l.lead, dt);
   advancePart<1, 2>(
       reference_, wanted_,
-      {l.climb_speed, l.descent_speed, vertical, l.jerk, l.jerk / l.vertical_acceleration}, lead,
-      dt);
+      {l.climb_speed, l.descent_speed, vertical, l.jerk, l.jerk / l.vertical_acceleration}, ahead,
+      l.lead, dt);
   advanceYaw(reference_, wanted_,
              {l.yaw_rate, l.yaw_rate, l.yaw_acceleration, l.yaw_acceleration / kYawBuildUp,
               1.0 / kYawBuildUp},
@@ -290,7 +292,12 @@ const SetPoint& ReferenceGovernor::follow(const SetPoint& wanted, const Eigen::V
   const int pieces = static_cast<int>(std::ceil(std::min(dt, 2.0) / kLongestStep));
   for (int i = 0; i < pieces; ++i) step(actual, thrust_to_weight, std::min(dt, 2.0) / pieces);
   const Eigen::Vector3d ahead = reference_.position - actual;
-  if (ahead.norm() > limits_.lead) reference_.position = actual + within<3>(ahead, limits_.lead);
+  if (ahead.head<2>().norm() > limits_.lead) {
+    reference_.position.head<2>() = actual.head<2>() + within<2>(ahead.head<2>(), limits_.lead);
+  }
+  if (std::abs(ahead.z()) > limits_.lead) {
+    reference_.position.z() = actual.z() + std::copysign(limits_.lead, ahead.z());
+  }
   return reference_;
 }
 

@@ -28,6 +28,8 @@ class GuardedFlight {
   // What the pilot hears: true when it is to be heard. `state`, `stamp` and `now` may be changed.
   std::function<bool(State& state, Nanoseconds& stamp, Nanoseconds& now)> odometry;
   bool imu = true;
+  Eigen::Vector3d force_bias = Eigen::Vector3d::Zero();  // of the IMU, in B [m/s^2]
+  Eigen::Vector3d rate_bias = Eigen::Vector3d::Zero();   // [rad/s]
 
   void fly(double seconds) {
     const Nanoseconds until = now_ + fromSeconds(seconds);
@@ -35,7 +37,8 @@ class GuardedFlight {
       State state = plant_.state();
       Nanoseconds stamp = now_;
       Nanoseconds now = now_;
-      if (imu) pilot_.hear(plant_.specificForce(), state.body_rate, now_);
+      const Eigen::Vector3d felt = plant_.specificForce() + force_bias;
+      if (imu) pilot_.hear(felt, Eigen::Vector3d(state.body_rate + rate_bias), now_);
       if (!odometry || odometry(state, stamp, now)) pilot_.hear(state, stamp, now);
       pilot_.tick(now);
       for (int i = 0; i < 4; ++i) plant_.step(pilot_.allocation().speeds, 1e-3);

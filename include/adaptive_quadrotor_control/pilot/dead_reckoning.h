@@ -11,14 +11,20 @@ namespace aqc {
 /// Where the vehicle must be while no odometry comes: by the IMU (strap-down integration) or,
 /// without one, by what the rotors were told and the vehicle's own inertia.
 ///
-/// Good for seconds, not for minutes: an accelerometer's bias grows with the square of time, and
-/// the model knows no wind. Nothing in it allocates or throws.
+/// While odometry comes the IMU smooths it (a complementary filter of fixed gains), and what the
+/// two disagree about for seconds is the IMU's bias. Good for seconds, not for minutes: what is
+/// left of the bias grows with the square of time, and the model knows no wind. Nothing in it
+/// allocates or throws.
 class DeadReckoning {
  public:
   explicit DeadReckoning(const Vehicle& vehicle);
 
-  /// What odometry said.
-  void correct(const State& state) noexcept { state_ = state; }
+  /// What odometry said, one message after the other.
+  void correct(const State& state) noexcept;
+  /// What it said first, or first again.
+  void restart(const State& state) noexcept { state_ = state; }
+  /// It stands on the ground.
+  void stand() noexcept { state_.velocity.setZero(); }
   /// The IMU's last sample, held until the next one: specific force [m/s^2] and rate [rad/s] in B.
   void feel(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate) noexcept;
   /// The IMU has fallen silent.
@@ -38,6 +44,8 @@ class DeadReckoning {
   State state_;
   Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d body_rate_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d force_bias_ = Eigen::Vector3d::Zero();  // in what is felt [m/s^2]
+  Eigen::Vector3d rate_bias_ = Eigen::Vector3d::Zero();   // [rad/s]
   bool felt_ = false;
 };
 

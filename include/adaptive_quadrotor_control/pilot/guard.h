@@ -11,11 +11,11 @@ namespace aqc {
 
 /// What the guard sees when a step is due.
 struct Situation {
-  double dt = 0.0;                    ///< since the step before [s]
-  const State* state = nullptr;       ///< where the vehicle is or must be; null: never known
-  double silence = 0.0;               ///< without odometry [s]
-  bool feels = false;                 ///< the IMU is alive
-  double felt_lift = 0.0;             ///< along +z of B [m/s^2], when it is
+  double dt = 0.0;               ///< since the step before [s]
+  const State* state = nullptr;  ///< where the vehicle is or must be; null: never known
+  double silence = 0.0;          ///< without odometry [s]
+  bool feels = false;            ///< the IMU is alive
+  double support = 0.0;  ///< felt by the IMU: part of the empty weight that no rotor carries
   const SetPoint* planned = nullptr;  ///< what is planned for now; null: nothing
   bool plan_ended = false;            ///< and nothing follows it
   double plan_age = 0.0;              ///< since set points were accepted [s]
@@ -30,6 +30,7 @@ struct Decision {
   double idle = 0.0;                    ///< [rad/s]
   bool learn = false;                   ///< the law may adapt
   bool forget = false;                  ///< the law goes back to its initial values
+  bool stands = false;                  ///< descending without odometry, it feels the ground
 };
 
 /// The state machine that decides whether the rotors turn and which set point the law gets, in the
@@ -71,6 +72,8 @@ class Guard {
   /// Where the last step wanted the vehicle: the reference that the law gets is on its way there.
   const SetPoint& goal() const noexcept { return goal_; }
   bool armed() const noexcept { return mode_ != Mode::kDisarmed && mode_ != Mode::kKilled; }
+  /// The rotors are to carry it.
+  bool flies() const noexcept { return armed() && mode_ != Mode::kArmed; }
   /// Armed and off the ground, as far as known.
   bool airborne() const noexcept { return armed() && airborne_; }
 
@@ -94,7 +97,10 @@ class Guard {
   void watchLift(const Situation& now) noexcept;
   void watchPlan(const Situation& now) noexcept;
   void progress(const Situation& now) noexcept;
-  bool groundCarries(const Situation& now) const noexcept;
+  bool thrustIsShort(const Situation& now) const noexcept;
+  void settle() noexcept;
+  bool mustBeDown(const Situation& now) const noexcept;
+  double floor() const noexcept;
   bool mayLearn(const Situation& now) const noexcept;
   SetPoint wanted(const Situation& now) noexcept;
 
@@ -103,16 +109,19 @@ class Guard {
   ReferenceGovernor governor_;
   Mode mode_ = Mode::kDisarmed;
   Rule rule_ = Rule::kNone;
-  SetPoint place_;         // to hold, or to rise or sink from
+  SetPoint place_;  // to hold, or to rise or sink from
   SetPoint goal_;
   State state_;            // of the last step
   bool located_ = false;   // it was ever known
   double stood_at_ = 0.0;  // height where it was armed [m]
+  double ground_;          // as odometry tells heights [m]
   bool airborne_ = false;
   bool plan_is_new_ = false;
   bool was_armed_ = false;
-  bool crashed_ = false;    // no arming by itself any more
-  double mode_time_ = 0.0;  // in this mode [s]
+  bool crashed_ = false;      // no arming by itself any more
+  bool was_landing_ = false;  // when odometry was lost
+  double climbing_ = 0.0;     // vertical velocity, smoothed [m/s]
+  double mode_time_ = 0.0;    // in this mode [s]
   Lasting tumbling_, tipped_, overloaded_, saturated_, lagging_, standing_;
 };
 

@@ -36,6 +36,7 @@ struct GuardLimits {
   double trajectory_lead = 60.0;  ///< a trajectory may begin so far ahead
 
   double ground = 0.0;           ///< height of base_link's origin below which nothing flies [m]
+  double clearance = 0.2;        ///< above where it stood; lower it only takes off and lands [m]
   double take_off_height = 1.0;  ///< above where it stood [m]
   double take_off_speed = 0.6;   ///< [m/s]
   double lift_off_time = 6.0;    ///< from the order to take off to the first 5 cm

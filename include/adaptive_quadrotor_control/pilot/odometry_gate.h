@@ -15,6 +15,7 @@ enum class Doubt {
   kPositionJump,
   kVelocityJump,
   kTurnJump,
+  kFrozen,
 };
 
 /// The reason in a few words; null for kNone.
@@ -36,10 +37,15 @@ class OdometryGate {
                 const Eigen::Vector3d& body_rate) const noexcept;
 
   /// Whether it agrees with `expected`, the motion as it must be after `silence` seconds without
-  /// odometry (an innovation gate). Messages that jump, agree with each other and come in a row
-  /// are of a source that was reset: the last of so many (see GateLimits::confirmations) is
-  /// believed, unless it is the attitude that jumped, which no reset of a map explains.
+  /// odometry (an innovation gate). Messages that jump, agree with each other
+  /// and come in a row are of a source that was reset: the last of so many (see
+  /// GateLimits::confirmations) is believed, unless it is the attitude that jumped, which no reset
+  /// of a map explains.
   Doubt compare(const State& state, const State& expected, double silence) noexcept;
+
+  /// Whether it says exactly what the `last` message said that was believed. In the air nothing is
+  /// so still: the source has frozen, whatever its stamps say.
+  static bool frozen(const State& state, const State& last) noexcept;
 
   /// Whether the last compare() took a message as a source's reset.
   bool sourceReset() const noexcept { return reset_; }

@@ -84,8 +84,8 @@ class Pilot {
   /// Null without one.
   Guard* guard() noexcept { return guarded_ ? &guarded_->guard : nullptr; }
   const Guard* guard() const noexcept { return guarded_ ? &guarded_->guard : nullptr; }
-  /// Where the vehicle is to go: the set point of the last step or, with a guard, where the governed
-  /// set point is on its way to.
+  /// Where the vehicle is to go: the set point of the last step or, with a guard, where the
+  /// governed set point is on its way to.
   const SetPoint& goal() const noexcept { return guarded_ ? guarded_->guard.goal() : set_point_; }
   /// Since odometry was accepted, counted by steps [s]; only with a guard.
   double silence() const noexcept { return guarded_ ? guarded_->silence : 0.0; }
@@ -131,6 +131,7 @@ class Pilot {
     Guard guard;
     OdometryGate gate;
     DeadReckoning reckoning;
+    double empty_mass;         // of the vehicle [kg]
     double silence = 0.0;      // without odometry [s]
     double imu_silence = 0.0;  // [s]
     double plan_age = 0.0;     // [s]

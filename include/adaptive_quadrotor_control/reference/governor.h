@@ -19,7 +19,7 @@ struct GovernorLimits {
   double jerk = 20.0;                  ///< horizontal and, apart from it, vertical [m/s^3]
   double yaw_rate = 1.5;               ///< [rad/s]
   double yaw_acceleration = 4.0;       ///< [rad/s^2]; takes 0.1 s to build up
-  double lead = 1.0;                   ///< longest distance of the reference from the vehicle [m]
+  double lead = 1.0;  ///< longest distance from the vehicle, horizontally and vertically apart [m]
   double floor = -std::numeric_limits<double>::infinity();  ///< lowest height in W to go to [m]
 };
 
@@ -55,7 +55,8 @@ class ReferenceGovernor {
   /// begins at rest at `actual` with the yaw wanted.
   ///
   /// `actual` is the vehicle's position in W [m]. The reference slows down when the vehicle is more
-  /// than half of `lead` behind it, and is never further away than `lead`: it is put back where the
+  /// than half of `lead` behind it, and is never further away than `lead`, in the horizontal by the
+  /// length of the vector and in z by itself: it is put back where the
   /// limits of motion do not suffice. `thrust_to_weight`, the largest thrust over the estimated
   /// weight, bounds acceleration to what the rotors can do with a tenth kept for steering. A wanted
   /// height below `floor` or GovernorLimits::floor [m] means the higher one of these.

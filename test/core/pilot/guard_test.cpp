@@ -26,7 +26,7 @@ class GuardTest : public ::testing::Test {
     now_.given = &given_;
     now_.mass = kMass;
     now_.feels = true;
-    now_.felt_lift = kGravity;
+    now_.support = 0.0;
   }
 
   Decision step() { return guard_.step(now_); }
@@ -181,6 +181,7 @@ TEST_F(GuardTest, SetPointWakesAHoldAndItsAgeEndsIt) {
 TEST_F(GuardTest, OdometryLateStopsLearningOdometryLostDescends) {
   takeOff();
   EXPECT_TRUE(step().learn);
+  now_.feels = false;
   now_.silence = limits_.odometry_late;
   EXPECT_FALSE(step().learn);
   EXPECT_EQ(guard_.mode(), Mode::kHolding);
@@ -355,7 +356,7 @@ TEST_F(GuardTest, GroundFeltEndsABlindDescent) {
   takeOff();
   now_.silence = limits_.odometry_lost;
   step();
-  given_.achieved.thrust = 0.5 * kMass * kGravity;  // and yet the whole weight is felt
+  now_.support = 0.5;
   EXPECT_NEAR(until(Mode::kDisarmed), limits_.touch_down_time, 2.0 * kStep);
   expectDisarmed(Rule::kTouchDown);
 }

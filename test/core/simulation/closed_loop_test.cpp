@@ -94,7 +94,9 @@ TEST(ClosedLoop, TakesOffFliesAndDescendsBlindlyWithAGuard) {
 
 TEST(ClosedLoop, TakesOverAVehicleThatStartsInTheAirWithAGuard) {
   const Vehicle vehicle = test::pelican();
-  ClosedLoop loop(shortScenario(), vehicle, test::lawNamed("asmc", vehicle), guarded());
+  Scenario scenario = shortScenario();
+  scenario.world.start.velocity.x() = 1.0;  // it could not be armed
+  ClosedLoop loop(scenario, vehicle, test::lawNamed("asmc", vehicle), guarded());
   double lowest = 1.0;
   while (!loop.done()) {
     loop.advance();

@@ -1,0 +1,177 @@
+// The ways to lose a guarded vehicle that random fault flights found.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "adaptive_quadrotor_control/simulation/random.h"
+#include "support/guarded_flight.h"
+
+namespace aqc {
+namespace {
+
+using test::GuardedFlight;
+
+bool nothing(State& /*state*/, Nanoseconds& /*stamp*/, Nanoseconds& /*now*/) {
+  return false;
+}
+
+void expectLanded(GuardedFlight& flight) {
+  EXPECT_EQ(flight.mode(), Mode::kDisarmed);
+  EXPECT_TRUE(flight.still());
+  EXPECT_TRUE(flight.plant().touching());
+  EXPECT_FALSE(flight.crashed()) << toString(flight.plant().crash());
+  EXPECT_LT(flight.impact(), 1.5);
+}
+
+TEST(GuardedFault, AnOrderToLandBrakesFirst) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(30.0, 0.0, 0.4);
+  flight.fly(5.0);
+  EXPECT_GT(flight.speed(), 2.0);
+  EXPECT_EQ(flight.pilot().guard()->land(), nullptr);
+  while (!flight.plant().touching()) flight.fly(0.1);
+  EXPECT_LT(flight.plant().state().velocity.head<2>().norm(), 0.7);
+  flight.fly(4.0);
+  expectLanded(flight);
+}
+
+TEST(GuardedFault, OdometryThatComesBackCloseToTheGroundFindsALanding) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.odometry = nothing;
+  while (flight.height() > 0.2) flight.fly(0.1);
+  flight.odometry = nullptr;
+  flight.fly(4.0);
+  expectLanded(flight);
+}
+
+TEST(GuardedFault, ALandingGoesOnAfterAGap) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(0.0, 0.0, 3.0);
+  flight.fly(6.0);
+  flight.pilot().guard()->land();
+  flight.odometry = nothing;
+  flight.fly(1.0);
+  flight.odometry = nullptr;
+  flight.fly(0.1);
+  EXPECT_EQ(flight.mode(), Mode::kLanding);
+  EXPECT_EQ(flight.rule(), Rule::kOdometryBack);
+}
+
+TEST(GuardedFault, OdometryThatFreezesIsNotBelieved) {
+  for (const bool taking_off : {false, true}) {
+    GuardedFlight flight;
+    if (taking_off) {
+      flight.fly(0.1);
+      flight.pilot().guard()->arm();
+      flight.pilot().guard()->takeOff();
+      flight.fly(0.5);
+    } else {
+      flight.takeOff();
+      flight.go(6.0, 0.0, 2.0);
+      flight.fly(1.5);
+    }
+    const State frozen = flight.plant().state();
+    flight.odometry = [&](State& state, Nanoseconds&, Nanoseconds&) {
+      state = frozen;
+      return true;
+    };
+    flight.fly(14.0);
+    expectLanded(flight);
+    EXPECT_LT(flight.highest(), 2.5);
+  }
+}
+
+TEST(GuardedFault, NoiseHidesNoTouchDown) {
+  GuardedFlight flight;
+  flight.takeOff();
+  Random random(1);
+  flight.odometry = [&](State& state, Nanoseconds&, Nanoseconds&) {
+    state.position += 0.02 * random.normal3();
+    state.velocity += 0.1 * random.normal3();
+    return true;
+  };
+  flight.pilot().guard()->land();
+  flight.fly(8.0);
+  expectLanded(flight);
+}
+
+TEST(GuardedFault, BrakingAClimbIsNoTouchDown) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(0.0, 0.0, 4.0);
+  flight.fly(0.8);
+  flight.odometry = nothing;
+  flight.fly(1.5);
+  EXPECT_EQ(flight.mode(), Mode::kDescending);
+  flight.fly(14.0);
+  expectLanded(flight);
+}
+
+TEST(GuardedFault, TheGroundMovesWithASourceThatWasReset) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.odometry = [](State& state, Nanoseconds&, Nanoseconds&) {
+    state.position.z() += 5.0;
+    return true;
+  };
+  flight.fly(1.0);
+  EXPECT_EQ(flight.rule(), Rule::kSourceReset);
+  flight.go(2.0, 0.0, 1.0);
+  flight.fly(8.0);
+  EXPECT_GT(flight.height(), 0.2);
+  EXPECT_FALSE(flight.plant().touching());
+}
+
+TEST(GuardedFault, WhatPushesAsideKeepsNobodyFromLanding) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.plant().setDisturbance({{4.0, 0.0, 0.0}, Eigen::Vector3d::Zero()});
+  flight.fly(4.0);
+  flight.pilot().guard()->land();
+  flight.fly(8.0);
+  expectLanded(flight);
+}
+
+TEST(GuardedFault, ALoadThatIsLostWithoutOdometryIsUnlearned) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.plant().setDisturbance({{0.0, 0.0, -15.0}, Eigen::Vector3d::Zero()});
+  flight.fly(5.0);
+  flight.odometry = nothing;
+  flight.fly(0.3);
+  flight.plant().setDisturbance({});
+  flight.fly(14.0);
+  expectLanded(flight);
+}
+
+TEST(GuardedFault, ABiasIsLearnedBeforeItIsNeeded) {
+  GuardedFlight flight;
+  flight.force_bias = {0.2, -0.1, 0.2};
+  flight.rate_bias = {0.02, 0.01, -0.02};
+  flight.takeOff();
+  flight.go(0.0, 0.0, 4.0);
+  flight.fly(12.0);
+  flight.odometry = nothing;
+  flight.fly(14.0);
+  expectLanded(flight);
+  EXPECT_LT(flight.plant().state().position.head<2>().norm(), 2.0);
+}
+
+TEST(GuardedFault, NobodyFliesAlongTheGround) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(30.0, 0.0, 0.0);
+  flight.fly(3.0);
+  for (int i = 0; i < 80; ++i) {
+    flight.fly(0.1);
+    EXPECT_FALSE(flight.plant().touching());
+  }
+  EXPECT_EQ(flight.mode(), Mode::kFlying);
+}
+
+}  // namespace
+}  // namespace aqc
