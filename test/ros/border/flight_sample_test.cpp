@@ -176,13 +176,14 @@ TEST(FlightSampleMessage, HasEveryFieldWhereItsNameSays) {
   // All fields of the message. Those without a name at the end are not the sample's.
   const auto& [header, controller, mode, mode_reason, odometry_silence, flying, position, attitude,
                velocity, body_rate, desired_position, desired_velocity, desired_acceleration,
-               desired_yaw, desired_yaw_rate, desired_attitude, position_error, velocity_error,
-               attitude_error, rate_error, sliding_position, sliding_attitude, force, mass_estimate,
-               adaptive_names, adaptive_units, adaptive_values, thrust, moment, thrust_achieved,
-               moment_achieved, saturated, rotor_speeds, trajectory_stamp, set_points_pending,
-               dropped_odometry, dropped_set_points, imu_lost, imu_losses, dropped_imu,
-               active_subsystem, switches, switches_pending, switch_refusals, refused_subsystem,
-               switch_refusal, next_switch_allowed] = message;
+               desired_yaw, desired_yaw_rate, desired_attitude, goal_position, goal_yaw,
+               position_error, velocity_error, attitude_error, rate_error, sliding_position,
+               sliding_attitude, force, mass_estimate, adaptive_names, adaptive_units,
+               adaptive_values, thrust, moment, thrust_achieved, moment_achieved, saturated,
+               rotor_speeds, trajectory_stamp, set_points_pending, dropped_odometry,
+               dropped_set_points, imu_lost, imu_losses, dropped_imu, active_subsystem, switches,
+               switches_pending, switch_refusals, refused_subsystem, switch_refusal,
+               next_switch_allowed] = message;
   told("time", toNanoseconds(header.stamp));
   told("flying", flying != 0);
   told("position", toEigen(position));
