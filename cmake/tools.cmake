@@ -11,7 +11,6 @@ add_library(aqc_figures ${figure_sources})
 target_link_libraries(aqc_figures PUBLIC aqc_report)
 
 # Fault flights by the thousand.
-find_package(Threads REQUIRED)
 file(GLOB campaign_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/campaign/*.cpp)
 add_library(aqc_campaign ${campaign_sources})
 target_include_directories(aqc_campaign PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)

@@ -102,7 +102,7 @@ class Refusal(unittest.TestCase):
 
     def test_plant_refuses_a_negative_mass(self):
         rospy.set_param('/vehicle/mass', -2.0)
-        self.refused(PLANT, '/vehicle/mass', '-2', '> 0')
+        self.refused(PLANT, '/vehicle/mass', '-2', '>= 0.001')
 
     def test_plant_refuses_lock_step_without_simulated_time(self):
         rospy.set_param('/use_sim_time', False)
