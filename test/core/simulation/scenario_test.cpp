@@ -179,6 +179,8 @@ TEST(Scenario, RefusesPayloadsThatMakeNoSense) {
                 {"'scenario/payloads/box/size[1]'", "'0'", "> 0"});
   expectRefused("offset: [0.0, 0.0, -0.15]", "offset: [0.0, 0.0, .nan]",
                 {"'scenario/payloads/box/offset[2]'", "'.nan'", "finite"});
+  expectRefused("inertia: [1, 2, 2.5]", "inertia: [1, 2, 30]",
+                {"'scenario/payloads/rod/inertia' is [1, 2, 30]", "10 times these"});
   expectRefused("inertia: [1, 2, 2.5]", "inertia: [1, -2, 2.5]",
                 {"'scenario/payloads/rod/inertia'", "-2", "positive definite"});
   expectRefused("payload: box", "payload: crate", {"'crate'", "'payloads'"});
