@@ -62,7 +62,7 @@ class ClosedLoop {
   Nanoseconds period_;
   Nanoseconds plant_step_;
   Nanoseconds duration_;
-  Truth truth_;  // at the time of the last control step
+  Truth truth_;                            // at the time of the last control step
   std::vector<TimedSetPoint> set_points_;  // to be planned once a guard flies
   bool taken_off_ = false;
 };

@@ -134,7 +134,8 @@ TEST_F(PlantServices, CarryLostCommands) {
     EXPECT_EQ(sent(loss).seed, loss.seed);
   }
   EXPECT_EQ(test::refusal<ParameterError>([] { toAction(msgs::LoseCommands::Request()); }),
-            "parameter 'lose_commands/for_so_long' is '0'; it must be a finite number > 0");
+            "parameter 'lose_commands/for_so_long' is '0'; it must be a finite number > 0 and <= "
+            "1000000");
 }
 
 msgs::AttachPayload::Request box() {
