@@ -19,7 +19,7 @@ class Drift(GuardedTest):
         self.uav.spoil = drifting
         self.uav.sleep(6.0)
         self.expect_holding()
-        self.assertEqual(self.uav.state.dropped_odometry, 0)
+        self.assertLess(self.uav.state.dropped_odometry, 25)  # a tenth of a second
         drifted = 0.1 * (self.uav.now - begin)
         self.assertAlmostEqual(self.uav.truth.x, -drifted, delta=0.2)
 
