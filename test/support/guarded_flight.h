@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -105,6 +107,16 @@ class GuardedFlight {
   bool touched_ = true;
   bool in_range_ = true;
 };
+
+/// On the ground, whole, gently, the rotors still and never told what they cannot do.
+inline void expectLanded(GuardedFlight& flight) {
+  EXPECT_EQ(flight.mode(), Mode::kDisarmed);
+  EXPECT_TRUE(flight.still());
+  EXPECT_TRUE(flight.plant().touching());
+  EXPECT_FALSE(flight.crashed()) << toString(flight.plant().crash());
+  EXPECT_LT(flight.impact(), 1.5);
+  EXPECT_TRUE(flight.inRange());
+}
 
 }  // namespace test
 }  // namespace aqc

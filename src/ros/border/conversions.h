@@ -28,6 +28,10 @@ inline Nanoseconds toNanoseconds(const ros::Time& time) {
   return static_cast<Nanoseconds>(time.toNSec());
 }
 ros::Time toRosTime(Nanoseconds time);
+/// Of a clock that never steps, whatever ROS time does.
+inline Nanoseconds steadyNow() {
+  return static_cast<Nanoseconds>(ros::SteadyTime::now().toNSec());
+}
 
 Eigen::Vector3d toEigen(const geometry_msgs::Vector3& vector);
 Eigen::Vector3d toEigen(const geometry_msgs::Point& point);

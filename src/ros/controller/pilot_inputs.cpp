@@ -73,8 +73,7 @@ void PilotInputs::refuseOdometry(const std::string& why) {
 
 void PilotInputs::onOdometry(const OdometryEvent& event) {
   const nav_msgs::Odometry& message = *event.getConstMessage();
-  const auto wall = static_cast<Nanoseconds>(ros::SteadyTime::now().toNSec());
-  if (frames_ && !odometry_source_.hears(event.getPublisherName(), wall)) {
+  if (frames_ && !odometry_source_.hears(event.getPublisherName(), steadyNow())) {
     refuseOdometry("'" + event.getPublisherName() + "' publishes it beside '" +
                    odometry_source_.name() + "', which is heard");
     return;

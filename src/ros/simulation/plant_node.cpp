@@ -20,10 +20,6 @@ namespace {
 // The simulated clock begins here: ROS takes zero for "no time yet".
 constexpr Nanoseconds kClockStart = 1'000'000'000;
 
-Nanoseconds steadyNow() {
-  return static_cast<Nanoseconds>(ros::SteadyTime::now().toNSec());
-}
-
 // In lock step the clock stands still until a command comes. The scenario knows better.
 Nanoseconds defaultCommandTimeout(const World& world, bool lock_step) {
   constexpr Nanoseconds kUsual = 250'000'000;

@@ -10,18 +10,11 @@
 namespace aqc {
 namespace {
 
+using test::expectLanded;
 using test::GuardedFlight;
 
 bool nothing(State& /*state*/, Nanoseconds& /*stamp*/, Nanoseconds& /*now*/) {
   return false;
-}
-
-void expectLanded(GuardedFlight& flight) {
-  EXPECT_EQ(flight.mode(), Mode::kDisarmed);
-  EXPECT_TRUE(flight.still());
-  EXPECT_TRUE(flight.plant().touching());
-  EXPECT_FALSE(flight.crashed()) << toString(flight.plant().crash());
-  EXPECT_LT(flight.impact(), 1.5);
 }
 
 TEST(GuardedFault, AnOrderToLandBrakesFirst) {

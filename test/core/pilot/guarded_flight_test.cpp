@@ -10,6 +10,7 @@
 namespace aqc {
 namespace {
 
+using test::expectLanded;
 using test::GuardedFlight;
 
 constexpr Nanoseconds kSecond = 1'000'000'000;
@@ -21,14 +22,6 @@ class GuardedFlightTest : public ::testing::TestWithParam<const char*> {
     EXPECT_NEAR(flight.height(), height, 0.3);
     EXPECT_LT(flight.speed(), 0.2);
     EXPECT_FALSE(flight.crashed());
-    EXPECT_TRUE(flight.inRange());
-  }
-  void expectLanded(GuardedFlight& flight) {
-    EXPECT_EQ(flight.mode(), Mode::kDisarmed);
-    EXPECT_TRUE(flight.still());
-    EXPECT_TRUE(flight.plant().touching());
-    EXPECT_FALSE(flight.crashed()) << toString(flight.plant().crash());
-    EXPECT_LT(flight.impact(), 1.5);
     EXPECT_TRUE(flight.inRange());
   }
 };
