@@ -63,7 +63,8 @@ build_package() {
   if [ -f /opt/ros/noetic/setup.bash ]; then source /opt/ros/noetic/setup.bash; fi
   say "Building in $build"
   mkdir -p "$build"
-  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release "$@" >"$build/configure.log" 2>&1 ||
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
+    -DAQC_PRECOMPILED_HEADERS=ON "$@" >"$build/configure.log" 2>&1 ||
     { tail -n 20 "$build/configure.log" >&2; fail "cmake failed; see $build/configure.log"; }
   cmake --build "$build" -j"$(nproc)" --target "${build_targets[@]:-all}" >"$build/build.log" 2>&1 ||
     { grep -E 'error|Error' "$build/build.log" | head -n 20 >&2 || true
