@@ -20,10 +20,12 @@ namespace {
 // The simulated clock begins here: ROS takes zero for "no time yet".
 constexpr Nanoseconds kClockStart = 1'000'000'000;
 
-// In lock step the clock stands still until a command comes. The scenario knows better.
-Nanoseconds defaultCommandTimeout(const World& world, bool lock_step) {
-  constexpr Nanoseconds kUsual = 250'000'000;
-  return world.command_timeout.value_or(lock_step ? 0 : std::max(kUsual, 2 * world.control_period));
+// In lock step the clock stands still until a command comes; where it races, messages are no faster
+// for it. The scenario knows better.
+Nanoseconds defaultCommandTimeout(const World& world, const Pacer::Pace& pace) {
+  const Nanoseconds usual = fromSeconds(0.25 * std::max(1.0, pace.real_time_factor));
+  return world.command_timeout.value_or(pace.lock_step ? 0
+                                                       : std::max(usual, 2 * world.control_period));
 }
 
 // For a service callback to return: it was called in order, and the answer is no.
@@ -46,7 +48,7 @@ PlantNode::PlantNode()
   pace.real_time_factor = own.number("real_time_factor", Range::positiveUpTo(1000.0), 1.0);
   pace.paused = own.flag("start_paused", false);
   command_timeout_ = own.has("command_timeout") ? readCommandTimeout(own, world_.control_period)
-                                                : defaultCommandTimeout(world_, pace.lock_step);
+                                                : defaultCommandTimeout(world_, pace);
   own.finish();
   if (world_.sensors) {
     throw std::invalid_argument(
