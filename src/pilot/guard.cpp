@@ -142,7 +142,10 @@ void Guard::sourceReset(const State& expected, const State& said) noexcept {
   const Eigen::Vector3d shift = said.position - expected.position;
   governor_.shift(shift, turn);
   groundRose(shift.z());
-  if (!airborne()) return;
+  if (!airborne()) {
+    place_.position += shift;
+    return;
+  }
   restAhead();
   enter(mode_ == Mode::kLanding ? Mode::kLanding : Mode::kHolding, Rule::kSourceReset);
 }

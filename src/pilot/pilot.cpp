@@ -76,7 +76,8 @@ Answer Pilot::hear(const State& heard, Nanoseconds stamp, Nanoseconds now) noexc
 Doubt Pilot::doubt(const State& state) noexcept {
   if (!guarded_ || !located_ || !guarded_->guard.flies()) return Doubt::kNone;
   if (OdometryGate::frozen(state, sensed_.state)) return Doubt::kFrozen;
-  if (!guarded_->guard.airborne()) return Doubt::kNone;
+  // What is reckoned from commands alone knows no ground to stand on.
+  if (!guarded_->guard.airborne() && !guarded_->reckoning.feels()) return Doubt::kNone;
   if (guarded_->guard.mode() == Mode::kDescending && guarded_->gate.first(state)) {
     return Doubt::kFirst;
   }
