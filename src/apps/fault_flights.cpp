@@ -2,7 +2,6 @@
 // CSV file.
 
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "campaign/margins.h"
 #include "report/progress_bar.h"
 #include "report/resources.h"
+#include "report/run_program.h"
 
 namespace aqc {
 namespace {
@@ -122,11 +122,5 @@ int main(int argc, char** argv) {
   aqc::Options options;
   aqc::addOptions(app, options);
   CLI11_PARSE(app, argc, argv);
-  try {
-    aqc::run(options);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "fault_flights: " << error.what() << std::endl;
-    return 1;
-  }
+  return aqc::runProgram("fault_flights", [&] { aqc::run(options); });
 }

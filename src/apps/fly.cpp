@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -20,6 +19,7 @@
 #include "report/progress_bar.h"
 #include "report/recording.h"
 #include "report/resources.h"
+#include "report/run_program.h"
 
 namespace aqc {
 namespace {
@@ -108,13 +108,6 @@ void run(const Options& options) {
                 [&](double share) { progress.update(share); });
   }
   std::cout << (options.no_plots ? "CSV: " : "CSV and figures: ") << folder << "\n" << std::flush;
-  if (!std::cout) throw std::runtime_error("cannot write to standard output");
-}
-
-// Errors of libraries may run over several lines.
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
 void addOptions(CLI::App& app, Options& options) {
@@ -145,11 +138,5 @@ int main(int argc, char** argv) {
   aqc::Options options;
   aqc::addOptions(app, options);
   CLI11_PARSE(app, argc, argv);
-  try {
-    aqc::run(options);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "fly: " << aqc::oneLine(error.what()) << std::endl;
-    return 1;
-  }
+  return aqc::runProgram("fly", [&] { aqc::run(options); });
 }

@@ -1,6 +1,5 @@
 // Prints the URDF of a vehicle: the parameter robot_description for rviz.
 
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "figures/vehicle_urdf.h"
 #include "report/resources.h"
+#include "report/run_program.h"
 
 namespace {
 
@@ -36,14 +36,9 @@ int main(int argc, char** argv) {
                  "       files, or names of some in config/vehicle and config/scenario\n";
     return 2;
   }
-  try {
+  return aqc::runProgram("vehicle_urdf", [&] {
     const std::string config = aqc::configFolder();
     const std::string name = vehicleName(config, arguments);
-    std::cout << aqc::vehicleUrdf(aqc::loadVehicle(aqc::findResource(config, "vehicle", name)))
-              << std::flush;
-    return std::cout ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "vehicle_urdf: " << error.what() << std::endl;
-    return 1;
-  }
+    std::cout << aqc::vehicleUrdf(aqc::loadVehicle(aqc::findResource(config, "vehicle", name)));
+  });
 }

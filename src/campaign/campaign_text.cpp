@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -25,13 +26,14 @@ std::string faultsOf(const FaultResult& result) {
 
 struct Counts {
   int flights = 0;
-  std::array<int, 4> verdicts = {};
+  std::array<int, 5> verdicts = {};
   double impact = 0.0;
   double astray = 0.0;
 
   void add(const FaultResult& result) {
     ++flights;
     ++verdicts[static_cast<std::size_t>(result.verdict)];
+    if (result.verdict == Verdict::kForced) return;
     impact = std::max(impact, result.impact);
     astray = std::max(astray, result.astray);
   }
@@ -41,9 +43,10 @@ std::string row(const char* name, const char* range, const Counts& counts) {
   const auto of = [&](Verdict verdict) {
     return counts.verdicts[static_cast<std::size_t>(verdict)];
   };
-  return formatted("| %-16s | %-56s | %6d | %6d | %5d | %5d | %5d | %7.2f | %6.1f |\n", name, range,
-                   counts.flights, of(Verdict::kLanded), of(Verdict::kHeld), of(Verdict::kHard),
-                   of(Verdict::kLost), counts.impact, counts.astray);
+  return formatted("| %-16s | %-63s | %6d | %6d | %5d | %5d | %5d | %6d | %7.2f | %6.1f |\n", name,
+                   range, counts.flights, of(Verdict::kLanded), of(Verdict::kHeld),
+                   of(Verdict::kHard), of(Verdict::kLost), of(Verdict::kForced), counts.impact,
+                   counts.astray);
 }
 
 }  // namespace
@@ -69,10 +72,10 @@ std::string campaignTable(const std::vector<FaultResult>& results) {
     for (const FaultKind kind : result.faults) by_kind[static_cast<std::size_t>(kind)].add(result);
     if (result.verdict == Verdict::kLost) ++reasons[result.reason];
   }
-  std::string text =
-      formatted("| %-16s | %-56s | %6s | %6s | %5s | %5s | %5s | %7s | %6s |\n", "fault",
-                "drawn evenly", "flown", "landed", "held", "hard", "lost", "impact", "astray");
-  text += "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string text = formatted(
+      "| %-16s | %-63s | %6s | %6s | %5s | %5s | %5s | %6s | %7s | %6s |\n", "fault",
+      "drawn evenly", "flown", "landed", "held", "hard", "lost", "forced", "impact", "astray");
+  text += "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const FaultKindText& kind : faultKinds()) {
     text += row(kind.name, kind.range, by_kind[static_cast<std::size_t>(kind.kind)]);
   }

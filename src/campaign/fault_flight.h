@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -37,6 +36,13 @@ enum class FaultKind {
   kPayload,
   kTetherBelow,
   kTetherAbove,
+  kGust,
+  kRotorWeak,
+  kRotorSlow,
+  kRotorStuck,
+  kRotorLost,
+  kBattery,
+  kCommandsLost,
   kPlanEnds,
   kPlanAbsurd,
   kPlanFar,
@@ -49,7 +55,8 @@ struct FaultKindText {
   const char* name;   ///< a word or two, for tables
   const char* range;  ///< what is drawn evenly
 };
-const std::array<FaultKindText, 27>& faultKinds() noexcept;
+/// In the order of FaultKind.
+const std::vector<FaultKindText>& faultKinds();
 
 /// A fault of one flight.
 struct DrawnFault {

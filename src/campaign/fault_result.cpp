@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "adaptive_quadrotor_control/math/constants.h"
 #include "adaptive_quadrotor_control/simulation/closed_loop.h"
+#include "campaign/hover.h"
 
 namespace aqc {
 namespace {
@@ -18,7 +20,9 @@ class Judge {
  public:
   Judge(const FaultFlight& flight, const Vehicle& vehicle, std::unique_ptr<ControlLaw> law,
         const PilotLimits& limits)
-      : flight_(flight), loop_(flight.scenario, vehicle, std::move(law), limits) {
+      : flight_(flight),
+        vehicle_(vehicle),
+        loop_(flight.scenario, vehicle, std::move(law), limits) {
     result_.seed = flight.seed;
     for (const DrawnFault& fault : flight.faults) result_.faults.push_back(fault.kind);
   }
@@ -70,9 +74,13 @@ class Judge {
     const State state = loop_.plant().plant().state();
     const bool touching = loop_.plant().plant().touching();
     const double dt = toSeconds(flight_.scenario.world.control_period);
+    since_hover_ = touching || hovers() ? since_hover_ + dt : 0.0;
     if (!touching) sinking_ = -state.velocity.z();
     if (touching && !touched_) result_.impact = std::max(result_.impact, sinking_);
     touched_ = touching;
+    const bool harmed = loop_.plant().crashTime() || result_.impact > kHardTouchDown;
+    if (harmed && !harmed_) forced_ = since_hover_ < kAftermath;
+    harmed_ = harmed_ || harmed;
     result_.astray = std::max(result_.astray, flight_.asked.exteriorDistance(state.position));
     quiet_ = state.velocity.norm() < kRestSpeed ? quiet_ + dt : 0.0;
     const Guard& guard = *loop_.pilot().guard();
@@ -84,10 +92,22 @@ class Judge {
     }
   }
 
+  // Whether the rotors can hold the vehicle up as it is.
+  bool hovers() const {
+    const TimedPlant& plant = loop_.plant();
+    const double mass = vehicle_.mass + plant.plant().payloadMass();
+    return canHover(vehicle_, plant.rotors(), plant.battery(),
+                    mass * kGravity - plant.disturbance().force.z());
+  }
+
   void judge() {
     result_.duration = toSeconds(loop_.plant().now());
     result_.reason = loss();
-    if (!result_.reason.empty()) {
+    if (!harmed_) forced_ = since_hover_ < kAftermath;
+    const bool harmed = harmed_ || !result_.reason.empty();
+    if (harmed && forced_ && !loop_.pilot().guard()->armed()) {
+      result_.verdict = Verdict::kForced;
+    } else if (!result_.reason.empty()) {
       result_.verdict = Verdict::kLost;
     } else if (result_.impact > kHardTouchDown) {
       result_.verdict = Verdict::kHard;
@@ -108,15 +128,19 @@ class Judge {
   }
 
   const FaultFlight& flight_;
+  const Vehicle& vehicle_;
   ClosedLoop loop_;
   FaultResult result_;
   std::size_t next_ = 0;  // order
   bool lands_ = false;
   bool was_armed_ = false;
   bool touched_ = true;
-  double sinking_ = 0.0;  // [m/s]
-  double quiet_ = 0.0;    // [s]
-  double over_ = 0.0;     // [s]
+  double sinking_ = 0.0;             // [m/s]
+  double quiet_ = 0.0;               // [s]
+  double over_ = 0.0;                // [s]
+  double since_hover_ = kAftermath;  // in the air no hover was possible so long ago [s]
+  bool harmed_ = false;
+  bool forced_ = false;  // when it was harmed
 };
 
 }  // namespace
@@ -129,6 +153,8 @@ const char* toString(Verdict verdict) noexcept {
       return "held";
     case Verdict::kHard:
       return "hard";
+    case Verdict::kForced:
+      return "forced";
     case Verdict::kLost:
       break;
   }

@@ -19,9 +19,13 @@ enum class Verdict {
   kHeld,    ///< in the air, at rest
   kHard,    ///< landed, but touched down faster than kHardTouchDown
   kLost,    ///< all else
+  kForced,  ///< hard or lost where physics left no choice: see kAftermath
 };
 
 constexpr double kHardTouchDown = 1.5;  ///< [m/s]
+/// Physics left no choice where no hover was possible (see canHover()) within so long before the
+/// vehicle was lost or touched down hard, in the air, and the rotors stand still in the end [s].
+constexpr double kAftermath = 3.0;
 
 /// "landed", ...; never null.
 const char* toString(Verdict verdict) noexcept;
@@ -31,7 +35,7 @@ struct FaultResult {
   std::uint64_t seed = 0;
   std::vector<FaultKind> faults;
   Verdict verdict = Verdict::kLost;
-  std::string reason;       ///< why it is lost; empty otherwise
+  std::string reason;       ///< why it is lost, or would be if it were not forced; else empty
   double impact = 0.0;      ///< fastest touch-down [m/s], >= 0
   double astray = 0.0;      ///< furthest outside the box of start and goals [m], >= 0
   double duration = 0.0;    ///< [s]

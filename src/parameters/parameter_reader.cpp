@@ -46,10 +46,44 @@ void refuseUnknown(const YAML::Node& node, const std::string& name,
   }
 }
 
+constexpr int kDeepest = 32;
+constexpr std::size_t kMostNodes = 200'000;
+
+// By anchors and aliases a few lines can be a tree without an end, or one of more nodes than there
+// is time to walk.
+void requireBounded(const YAML::Node& node, int depth, std::size_t& nodes) {
+  if (depth > kDeepest) {
+    throw ParameterError("is nested deeper than " + std::to_string(kDeepest) +
+                         " levels; an alias may lie within its own anchor");
+  }
+  if (++nodes > kMostNodes) {
+    throw ParameterError("has more than " + std::to_string(kMostNodes) +
+                         " values; aliases may multiply them");
+  }
+  if (node.IsMap()) {
+    for (const auto& entry : node) {
+      requireBounded(entry.first, depth + 1, nodes);
+      requireBounded(entry.second, depth + 1, nodes);
+    }
+  } else if (node.IsSequence()) {
+    for (const YAML::Node& entry : node) requireBounded(entry, depth + 1, nodes);
+  }
+}
+
+const YAML::Node& bounded(const YAML::Node& tree, const std::string& name) {
+  std::size_t nodes = 0;
+  try {
+    requireBounded(tree, 0, nodes);
+  } catch (const ParameterError& error) {
+    throw ParameterError("parameter '" + name + "' " + error.what());
+  }
+  return tree;
+}
+
 }  // namespace
 
 ParameterReader::ParameterReader(const YAML::Node& tree, std::string name)
-    : ParameterReader(tree, name, std::make_shared<Heard>()) {
+    : ParameterReader(bounded(tree, name), name, std::make_shared<Heard>()) {
   heard_->root = std::move(name);
 }
 

@@ -141,9 +141,11 @@ void Guard::sourceReset(const State& expected, const State& said) noexcept {
   const double turn = yaw(said.attitude) - yaw(expected.attitude);
   const Eigen::Vector3d shift = said.position - expected.position;
   governor_.shift(shift, turn);
-  stood_at_ += shift.z();
-  ground_ += shift.z();
-  if (!airborne()) return;
+  groundRose(shift.z());
+  if (!airborne()) {
+    place_.position += shift;
+    return;
+  }
   restAhead();
   enter(mode_ == Mode::kLanding ? Mode::kLanding : Mode::kHolding, Rule::kSourceReset);
 }

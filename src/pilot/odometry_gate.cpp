@@ -12,6 +12,8 @@ constexpr double kUnknownAcceleration = 15.0;
 constexpr double kUnknownRate = 4.0;
 // Whatever the silence: an attitude that is half a turn off is no vehicle's [rad].
 constexpr double kLargestTurn = 1.5;
+// What is left of an accelerometer's bias and of a tilt that is not known [m/s^2].
+constexpr double kUnknownBias = 0.5;
 
 }  // namespace
 
@@ -35,6 +37,8 @@ const char* textOf(Doubt doubt) noexcept {
       return "its attitude jumps";
     case Doubt::kFrozen:
       return "it has frozen";
+    case Doubt::kFirst:
+      return "it is the first after a silence";
   }
   return nullptr;
 }
@@ -82,6 +86,19 @@ Doubt OdometryGate::jumped(const State& state, const State& expected,
 bool OdometryGate::frozen(const State& state, const State& last) noexcept {
   return state.position == last.position && state.velocity == last.velocity &&
          state.body_rate == last.body_rate && state.attitude.coeffs() == last.attitude.coeffs();
+}
+
+bool OdometryGate::first(const State& state) noexcept {
+  const bool alone = !first_ || frozen(state, *first_);
+  first_ = state;
+  return alone;
+}
+
+double OdometryGate::unfeltRise(const State& state, const State& expected,
+                                double silence) const noexcept {
+  const double rise = state.position.z() - expected.position.z();
+  const double error = limits_.jump + 0.5 * kUnknownBias * silence * silence;
+  return std::abs(rise) > error ? rise : 0.0;
 }
 
 Doubt OdometryGate::compare(const State& state, const State& expected, double silence) noexcept {

@@ -9,8 +9,10 @@ namespace aqc {
 namespace {
 
 constexpr double kImuSilence = 0.1;  // [s]: an IMU older than this is not felt any more
-constexpr double kWeighing = 1.0;    // [s], time constant
-constexpr double kLeastMass = 0.1;   // [kg]
+// Older odometry is worse than what the IMU makes of it: laws bear delays of 20 ms or so [s].
+constexpr double kStale = 0.03;
+constexpr double kWeighing = 1.0;   // [s], time constant
+constexpr double kLeastMass = 0.1;  // [kg]
 // Blind, without an accelerometer, a vehicle must rather sink than climb for ever.
 constexpr double kBlindLightness = 0.98;
 constexpr const char* kUnfelt = "no vehicle feels or turns so";
@@ -74,7 +76,11 @@ Answer Pilot::hear(const State& heard, Nanoseconds stamp, Nanoseconds now) noexc
 Doubt Pilot::doubt(const State& state) noexcept {
   if (!guarded_ || !located_ || !guarded_->guard.flies()) return Doubt::kNone;
   if (OdometryGate::frozen(state, sensed_.state)) return Doubt::kFrozen;
-  if (!guarded_->guard.airborne()) return Doubt::kNone;
+  // What is reckoned from commands alone knows no ground to stand on.
+  if (!guarded_->guard.airborne() && !guarded_->reckoning.feels()) return Doubt::kNone;
+  if (guarded_->guard.mode() == Mode::kDescending && guarded_->gate.first(state)) {
+    return Doubt::kFirst;
+  }
   const State expected = guarded_->reckoning.state();
   const Doubt doubt = guarded_->gate.compare(state, expected, guarded_->silence);
   if (guarded_->gate.sourceReset()) guarded_->guard.sourceReset(expected, state);
@@ -86,6 +92,11 @@ void Pilot::takeOver(const State& state) noexcept {
   sensed_.state = state;
   located_ = true;
   if (!guarded_) return;
+  guarded_->gate.believed();
+  if (guarded_->guard.mode() == Mode::kDescending && guarded_->reckoning.feels()) {
+    guarded_->guard.groundRose(
+        guarded_->gate.unfeltRise(state, guarded_->reckoning.state(), guarded_->silence));
+  }
   guarded_->guard.heardOdometry(state);
   if (follows && guarded_->silence < limits_.guard->odometry_late &&
       !guarded_->gate.sourceReset()) {
@@ -164,7 +175,9 @@ Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
   Situation now;
   now.dt = dt;
   if (located_) {
-    const bool fresh = guarded.silence < limits_.guard->odometry_late;
+    const double late = limits_.guard->odometry_late;
+    const bool fresh =
+        guarded.silence < (guarded.reckoning.feels() ? std::min(kStale, late) : late);
     now.state = fresh ? &sensed_.state : &guarded.reckoning.state();
   }
   now.silence = guarded.silence;

@@ -17,8 +17,7 @@ ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
       plant_step_(scenario.world.plant_step),
       duration_(scenario.duration) {
   if (const std::optional<SensorFaults>& sensors = scenario.world.sensors) {
-    channels_ = {OdometryChannel(sensors->odometry, sensors->seed, plant_.now()),
-                 ImuChannel(sensors->imu, sensors->seed, plant_.now())};
+    channels_.emplace(*sensors, plant_.now());
   }
   for (const PlantEvent& event : scenario.mission.events) plant_.schedule(event);
   for (const SwitchOrder& order : scenario.mission.switches) pilot_.order(order);
@@ -68,29 +67,23 @@ void ClosedLoop::advance() {
     objections_.push_back({report.time, switchObjection(report, 0)});
   }
   const Nanoseconds until = std::min(now + period_, duration_);
-  if (channels_) return advanceThroughChannels(until);
-  plant_.advance(until);
+  if (channels_) {
+    SensorChannels::advance(plant_, plant_step_, until, [this] { listen(); });
+  } else {
+    plant_.advance(until);
+  }
 }
 
 // Whatever the sensors measure and the pilot hears at this instant.
 void ClosedLoop::listen() {
-  const Nanoseconds now = plant_.now();
-  const State state = plant_.plant().state();
-  channels_->imu.observe(plant_.plant().specificForce(), state.body_rate, now);
-  channels_->odometry.observe(state, now);
-  while (const std::optional<ImuMessage> message = channels_->imu.receive(now)) {
-    feelImu(message->specific_force, message->body_rate, message->stamp);
-  }
-  while (const std::optional<OdometryMessage> message = channels_->odometry.receive(now)) {
-    pilot_.hear(message->state, message->stamp, now);
-  }
-}
-
-void ClosedLoop::advanceThroughChannels(Nanoseconds until) {
-  while (plant_.now() < until) {
-    plant_.advance(std::min(plant_.now() + plant_step_, until));
-    if (plant_.now() < until) listen();
-  }
+  channels_->listen(
+      plant_,
+      [this](const ImuMessage& message) {
+        feelImu(message.specific_force, message.body_rate, message.stamp);
+      },
+      [this](const OdometryMessage& message) {
+        pilot_.hear(message.state, message.stamp, plant_.now());
+      });
 }
 
 FlightSample ClosedLoop::sample() const {

@@ -23,7 +23,8 @@ TimedPlant::TimedPlant(std::unique_ptr<Plant> plant, std::vector<Cargo> cargo, N
       cargo_(std::move(cargo)),
       link_(plant_->rotorSpeeds().size(), command_timeout),
       step_(step),
-      now_(start) {
+      now_(start),
+      rotors_(static_cast<std::size_t>(plant_->rotorSpeeds().size())) {
   if (step <= 0) throw std::invalid_argument("the plant's step must be > 0 ns");
   if (toSeconds(step) > plant_->longestStep()) {
     throw std::invalid_argument("the plant's step is " + numberText(toSeconds(step)) +
@@ -129,8 +130,9 @@ void TimedPlant::apply(const PlantEvent& event) {
                          disturbances_.push_back({event.time, shape});
                        },
                        [this](const SetRotor& rotor) {
-                         plant_->setRotor(static_cast<std::size_t>(rotor.number - 1),
-                                          rotor.condition);
+                         const auto index = static_cast<std::size_t>(rotor.number - 1);
+                         rotors_[index] = rotor.condition;
+                         plant_->setRotor(index, rotor.condition);
                        },
                        [&](const SetBattery& battery) {
                          drain_ = Drain{event.time, battery_, battery};

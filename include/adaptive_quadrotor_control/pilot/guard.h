@@ -54,6 +54,11 @@ class Guard {
   // What happened to the inputs.
   void heardPlan() noexcept { plan_is_new_ = true; }  ///< set points were accepted
   void heardOdometry(const State& state) noexcept;
+  /// Where odometry comes back from it tells heights that are by `rise` [m] greater than before.
+  void groundRose(double rise) noexcept {
+    stood_at_ += rise;
+    ground_ += rise;
+  }
   /// The source was reset: where it said `expected` it says `said` now.
   void sourceReset(const State& expected, const State& said) noexcept;
   void clockStepped() noexcept;

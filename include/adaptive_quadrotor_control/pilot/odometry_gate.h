@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/pilot/guard_limits.h"
 
@@ -16,6 +18,7 @@ enum class Doubt {
   kVelocityJump,
   kTurnJump,
   kFrozen,
+  kFirst,
 };
 
 /// The reason in a few words; null for kNone.
@@ -47,8 +50,17 @@ class OdometryGate {
   /// so still: the source has frozen, whatever its stamps say.
   static bool frozen(const State& state, const State& last) noexcept;
 
+  /// Whether it is the first message after a silence, or says exactly what that one said. One alone
+  /// may be the first of a source that has frozen while nobody heard it.
+  bool first(const State& state) noexcept;
+  /// How much higher it says the vehicle is than it can be, after `silence` seconds in which an IMU
+  /// told the motion: so much its source's ground has moved [m]. 0 where dead reckoning may err so.
+  double unfeltRise(const State& state, const State& expected, double silence) const noexcept;
+
   /// Whether the last compare() took a message as a source's reset.
   bool sourceReset() const noexcept { return reset_; }
+  /// A message was believed: the silence is over.
+  void believed() noexcept { first_.reset(); }
   /// The next message is the first one.
   void forget() noexcept { agreeing_ = 0; }
 
@@ -59,6 +71,7 @@ class OdometryGate {
   State candidate_;   // the last that jumped
   int agreeing_ = 0;  // how many such agreed with each other in a row
   bool reset_ = false;
+  std::optional<State> first_;  // that was heard after a silence, and is not believed yet
 };
 
 }  // namespace aqc

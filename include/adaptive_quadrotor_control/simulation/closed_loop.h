@@ -9,7 +9,7 @@
 #include "adaptive_quadrotor_control/flight/truth.h"
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
-#include "adaptive_quadrotor_control/simulation/sensor_channel.h"
+#include "adaptive_quadrotor_control/simulation/sensor_channels.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 
 namespace aqc {
@@ -43,21 +43,14 @@ class ClosedLoop {
   Pilot& pilot() noexcept { return pilot_; }
 
  private:
-  // The channels of a world with `sensors`.
-  struct Channels {
-    OdometryChannel odometry;
-    ImuChannel imu;
-  };
-
   void takeOff();
   void feelImu(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
                Nanoseconds stamp);
   void listen();
-  void advanceThroughChannels(Nanoseconds until);
 
   TimedPlant plant_;
   Pilot pilot_;
-  std::optional<Channels> channels_;
+  std::optional<SensorChannels> channels_;  // of a world with `sensors`
   std::vector<Refusal> objections_;
   Nanoseconds period_;
   Nanoseconds plant_step_;

@@ -58,6 +58,8 @@ class TimedPlant {
   ForceMoment disturbance() const noexcept;
   /// Voltage of the battery at the start of the last step, as a share of the full one.
   double battery() const noexcept { return battery_; }
+  /// What is wrong with each rotor, in the order of the vehicle's file.
+  const std::vector<RotorCondition>& rotors() const noexcept { return rotors_; }
   /// Whether the rotors are commanded 0 because no command was heard for too long.
   bool silent() const noexcept { return link_.silent(now_); }
   /// Time of the first crash.
@@ -98,6 +100,7 @@ class TimedPlant {
   };
   std::optional<Drain> drain_;
   double battery_ = 1.0;
+  std::vector<RotorCondition> rotors_;
   std::optional<Nanoseconds> crash_time_;
   std::vector<Refusal> refusals_;
 };

@@ -4,7 +4,6 @@
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/Imu.h>
-#include <stdexcept>
 
 #include <cmath>
 
@@ -28,6 +27,9 @@ Nanoseconds defaultCommandTimeout(const World& world, const Pacer::Pace& pace) {
                                                        : std::max(usual, 2 * world.control_period));
 }
 
+// Periods without odometry that pass at once in lock step; other callbacks come in between.
+constexpr int kMostUntold = 100;
+
 // For a service callback to return: it was called in order, and the answer is no.
 template <class Response>
 bool refuse(Response& response, const std::string& reason) {
@@ -50,10 +52,6 @@ PlantNode::PlantNode()
   command_timeout_ = own.has("command_timeout") ? readCommandTimeout(own, world_.control_period)
                                                 : defaultCommandTimeout(world_, pace);
   own.finish();
-  if (world_.sensors) {
-    throw std::invalid_argument(
-        "the scenario has 'sensors', which only flights without ROS spoil; leave them out");
-  }
   simulated_time_ = node_.param("/use_sim_time", false);
   if (pace.lock_step && !simulated_time_) own.refuse("lock_step", "needs /use_sim_time to be true");
   if (pace.real_time_factor != 1.0 && !simulated_time_) {
@@ -89,6 +87,8 @@ PlantNode::PlantNode()
 void PlantNode::restart(Nanoseconds start) {
   plant_ = std::make_unique<TimedPlant>(makePlant(vehicle_, world_), world_.cargo,
                                         world_.plant_step, start, command_timeout_);
+  channels_.reset();
+  if (world_.sensors) channels_.emplace(*world_.sensors, start);
   was_silent_ = false;
   pacer_->restart(steadyNow(), start);
 }
@@ -100,20 +100,41 @@ void PlantNode::onCommand(const msgs::Actuators::ConstPtr& message) {
                       message->angular_velocities.size(), rotors);
     return;
   }
-  if (!pacer_->takes(toNanoseconds(message->header.stamp), plant_->now())) return;
+  const Nanoseconds answers = channels_ ? told_ : plant_->now();
+  if (!pacer_->takes(toNanoseconds(message->header.stamp), answers)) return;
   plant_->command(Eigen::Map<const Eigen::VectorXd>(message->angular_velocities.data(),
                                                     static_cast<Eigen::Index>(rotors)));
-  if (pacer_->lockStep()) advance();
+  if (pacer_->lockStep()) advanceToAnswer();
+}
+
+// In lock step to the next odometry, which will be answered.
+void PlantNode::advanceToAnswer() {
+  for (int i = 0; i < kMostUntold; ++i) {
+    advance();
+    if (tells_) return;
+  }
 }
 
 void PlantNode::onSteadyTimer(const ros::SteadyTimerEvent&) {
   const Nanoseconds now = steadyNow();
-  if (pacer_->repeats(now)) publish();
+  if (pacer_->repeats(now)) {
+    if (channels_ && !pacer_->paused()) {
+      advanceToAnswer();
+    } else {
+      publish();
+    }
+  }
   for (int due = pacer_->due(now, plant_->now()); due > 0; --due) advance();
 }
 
 void PlantNode::advance() {
-  plant_->advance(plant_->now() + world_.control_period);
+  const Nanoseconds until = plant_->now() + world_.control_period;
+  tells_ = false;
+  if (channels_) {
+    SensorChannels::advance(*plant_, world_.plant_step, until, [this] { listen(); });
+  } else {
+    plant_->advance(until);
+  }
   if (plant_->silent() && !was_silent_) {
     ROS_WARN("no motor command for %.3g s: the rotors are switched off until one comes",
              toSeconds(command_timeout_));
@@ -133,17 +154,37 @@ void PlantNode::publish() {
   }
   publishTruth(toRosTime(plant_->now()));
 
-  const State& state = plant_->plant().state();
   if (stamp != transform_stamp_) publishTransforms(stamp);  // tf complains about repetitions
+  if (channels_ && !pacer_->paused()) {
+    listen();
+  } else {
+    const State& state = plant_->plant().state();
+    publishImu({plant_->plant().specificForce(), state.body_rate, time, time});
+    publishOdometry({state, time, time});  // last: in lock step the answer moves on
+  }
+}
 
+// Whatever the sensors measure, and what has arrived of it, at this instant.
+void PlantNode::listen() {
+  channels_->listen(
+      *plant_, [this](const ImuMessage& message) { publishImu(message); },
+      [this](const OdometryMessage& message) { publishOdometry(message); });
+}
+
+void PlantNode::publishImu(const ImuMessage& message) {
   sensor_msgs::Imu imu;
-  imu.header.stamp = stamp;
+  imu.header.stamp = toRosTime(message.stamp);
   imu.header.frame_id = kBodyFrame;
-  imu.orientation = toQuaternion(state.attitude);
-  imu.angular_velocity = toVector3(state.body_rate);
-  imu.linear_acceleration = toVector3(plant_->plant().specificForce());
+  imu.orientation = toQuaternion(plant_->plant().state().attitude);
+  imu.angular_velocity = toVector3(message.body_rate);
+  imu.linear_acceleration = toVector3(message.specific_force);
   imu_publisher_.publish(imu);
-  odometry_publisher_.publish(toOdometry(state, time));  // last: in lock step the answer moves on
+}
+
+void PlantNode::publishOdometry(const OdometryMessage& message) {
+  told_ = message.stamp;
+  tells_ = true;
+  odometry_publisher_.publish(toOdometry(message.state, message.stamp));
 }
 
 void PlantNode::publishTransforms(const ros::Time& stamp) {
@@ -180,6 +221,13 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   status.disturbance_force = toVector3(disturbance.force);
   status.disturbance_moment = toVector3(disturbance.moment);
   status.rotor_speeds.assign(plant.rotorSpeeds().begin(), plant.rotorSpeeds().end());
+  for (const RotorCondition& rotor : plant_->rotors()) {
+    status.rotor_effectiveness.push_back(rotor.effectiveness);
+    status.rotor_stuck.push_back(rotor.stuck_at.has_value());
+    status.rotor_stuck_at.push_back(rotor.stuck_at.value_or(0.0));
+    status.rotor_slower.push_back(rotor.slower);
+  }
+  status.battery_voltage = plant_->battery();
   if (const auto& payload = plant.payload()) {
     status.payload_name = plant_->attachedName();
     status.payload_size = toVector3(payload->size);

@@ -10,6 +10,7 @@
 #include "adaptive_quadrotor_control/Actuators.h"
 #include "adaptive_quadrotor_control/simulation/pacer.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
+#include "adaptive_quadrotor_control/simulation/sensor_channels.h"
 #include "adaptive_quadrotor_control/simulation/timed_plant.h"
 #include "ros/border/conversions.h"
 #include "ros/border/plant_services.h"
@@ -31,6 +32,9 @@ namespace aqc {
 ///
 /// In lock step the clock stands still until the command that answers the last odometry (the same
 /// stamp) has come: a flight is then as fast as the machine allows and the same every time.
+/// In a world with `sensors` odometry and IMU come as their channels have it, seeded as offline. In
+/// lock step a command must then answer the odometry that came last; time goes on where none came,
+/// and where none is answered for Pacer::kRepeatAfter, since a controller refuses some.
 /// While paused, odometry of one period before the start is repeated, so that everybody connects
 /// without anything beginning.
 class PlantNode {
@@ -46,7 +50,11 @@ class PlantNode {
 
   void restart(Nanoseconds start);
   void advance();
+  void advanceToAnswer();
   void publish();
+  void listen();
+  void publishImu(const ImuMessage& message);
+  void publishOdometry(const OdometryMessage& message);
   void publishTransforms(const ros::Time& stamp);
   void publishTruth(const ros::Time& stamp);
   // The service that plans what happens to the plant.
@@ -64,8 +72,11 @@ class PlantNode {
   bool simulated_time_;
   std::optional<Pacer> pacer_;  // set by the constructor
   std::unique_ptr<TimedPlant> plant_;
-  Nanoseconds command_timeout_;  // 0: none
-  bool was_silent_ = false;      // there was one when it was looked at last
+  std::optional<SensorChannels> channels_;  // of a world with `sensors`
+  Nanoseconds told_ = 0;                    // the stamp of the odometry that was published last
+  bool tells_ = false;                      // odometry was published since the last advance()
+  Nanoseconds command_timeout_;             // 0: none
+  bool was_silent_ = false;                 // there was one when it was looked at last
 
   ros::Publisher odometry_publisher_;
   ros::Publisher imu_publisher_;

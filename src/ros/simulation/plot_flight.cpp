@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "figures/flight_figures.h"
 #include "report/flight_csv.h"
 #include "report/flight_files.h"
+#include "report/run_program.h"
 #include "ros/simulation/recorded_flight.h"
 
 namespace aqc {
@@ -91,11 +91,5 @@ int main(int argc, char** argv) {
                  "folder for figures, and for CSV files of what bags hold, made if need be")
       ->type_name("FOLDER");
   CLI11_PARSE(app, argc, argv);
-  try {
-    aqc::run(files, folder);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "plot_flight: " << error.what() << std::endl;
-    return 1;
-  }
+  return aqc::runProgram("plot_flight", [&] { aqc::run(files, folder); });
 }

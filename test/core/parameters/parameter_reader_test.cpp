@@ -244,6 +244,30 @@ TEST_F(YamlFile, IsReadWhenItHoldsAMap) {
   EXPECT_EQ(loadYamlFile(holding("a: 1\n"))["a"].as<int>(), 1);
 }
 
+// Nine lines of ten aliases each are 1e9 values: whoever walks them does not come back.
+TEST(ParameterReader, RefusesAliasesThatMultiply) {
+  std::string bomb = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (int i = 1; i <= 9; ++i) {
+    const std::string inner = "*a" + std::to_string(i - 1);
+    std::string line = "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + inner;
+    for (int k = 1; k < 10; ++k) line += ", " + inner;
+    bomb += line + "]\n";
+  }
+  expectRefusal([&] { readerOf(bomb, "file"); },
+                {"'file' has more than 200000 values; aliases may multiply them"});
+}
+
+TEST(ParameterReader, RefusesAliasesWithinTheirOwnAnchor) {
+  for (const char* cycle : {"a: &a [*a]", "a: &a {b: *a}", "a: &a {b: [1, {c: *a}]}"}) {
+    expectRefusal([&] { readerOf(cycle, "file"); }, {"'file' is nested deeper than 32 levels"});
+  }
+}
+
+TEST(ParameterReader, TakesAnchorsThatSaveTyping) {
+  const ParameterReader reader = readerOf("a: &a {x: 1}\nb: *a", "file");
+  EXPECT_EQ(reader.child("b").number("x", Range::any()), 1.0);
+}
+
 TEST(ParameterReader, CutsValuesBeyond120Characters) {
   const std::string longest = "[" + std::string(115, '1') + ", 1]";
   ASSERT_EQ(longest.size(), 120u);

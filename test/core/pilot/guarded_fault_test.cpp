@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "adaptive_quadrotor_control/simulation/random.h"
@@ -78,6 +79,40 @@ TEST(GuardedFault, OdometryThatFreezesIsNotBelieved) {
   }
 }
 
+// The first message after a silence is news, whatever it says; the next one is not.
+TEST(GuardedFault, OdometryThatFrozeInASilenceIsNotBelieved) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(0.0, 0.0, 4.0);
+  flight.fly(1.2);
+  const State frozen = flight.plant().state();
+  EXPECT_GT(frozen.velocity.z(), 1.0);
+  flight.odometry = nothing;
+  flight.fly(1.0);
+  flight.odometry = [&](State& state, Nanoseconds&, Nanoseconds&) {
+    state = frozen;
+    return true;
+  };
+  flight.fly(1.0);
+  EXPECT_EQ(flight.mode(), Mode::kDescending);
+  EXPECT_NEAR(flight.plant().state().velocity.z(), -0.5, 0.15);
+}
+
+TEST(GuardedFault, AnAttitudeThatIsOldGivesWayToTheImu) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(4.0, 0.0, 2.0);
+  int count = 0;
+  flight.odometry = [&](State&, Nanoseconds&, Nanoseconds&) { return ++count % 24 == 0; };
+  double tilt = 1.0;
+  for (int i = 0; i < 80; ++i) {
+    flight.fly(0.1);
+    tilt = std::min(tilt, (flight.plant().state().attitude * Eigen::Vector3d::UnitZ()).z());
+  }
+  EXPECT_GT(tilt, 0.8);
+  EXPECT_NEAR(flight.plant().state().position.x(), 4.0, 0.3);
+}
+
 TEST(GuardedFault, NoiseHidesNoTouchDown) {
   GuardedFlight flight;
   flight.takeOff();
@@ -117,6 +152,37 @@ TEST(GuardedFault, TheGroundMovesWithASourceThatWasReset) {
   flight.fly(8.0);
   EXPECT_GT(flight.height(), 0.2);
   EXPECT_FALSE(flight.plant().touching());
+}
+
+TEST(GuardedFault, TheGroundMovesWithHeightsThatJumpInASilence) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.odometry = nothing;
+  flight.fly(0.8);
+  flight.odometry = [](State& state, Nanoseconds&, Nanoseconds&) {
+    state.position.z() += 5.0;
+    return true;
+  };
+  flight.fly(0.1);
+  EXPECT_EQ(flight.rule(), Rule::kOdometryBack);
+  flight.go(2.0, 0.0, 1.0);
+  flight.fly(8.0);
+  EXPECT_GT(flight.height(), 0.2);
+  EXPECT_FALSE(flight.plant().touching());
+}
+
+TEST(GuardedFault, ASourceThatIsResetOnTheGroundMovesTheTakeOff) {
+  GuardedFlight flight;
+  flight.fly(0.1);
+  flight.odometry = [&](State& state, Nanoseconds&, Nanoseconds&) {
+    if (flight.mode() != Mode::kDisarmed) state.position += Eigen::Vector3d(3.0, 0.0, 2.0);
+    return true;
+  };
+  flight.pilot().guard()->arm();
+  flight.pilot().guard()->takeOff();
+  flight.fly(6.0);
+  EXPECT_NEAR(flight.height(), 1.1, 0.2);
+  EXPECT_NEAR(flight.plant().state().position.x(), 0.0, 0.3);
 }
 
 TEST(GuardedFault, WhatPushesAsideKeepsNobodyFromLanding) {

@@ -95,6 +95,8 @@ TEST(TimedPlant, DrivesAnyPlant) {
   plant.advance(off(), kMillisecond);
   EXPECT_EQ(plant.attachedName(), "box");
   EXPECT_EQ(plant.wind().x(), 3.0);
+  EXPECT_EQ(plant.rotors()[2].effectiveness, 0.5);
+  EXPECT_TRUE(plant.rotors()[3].sound());
   plant.advance(off(), 4 * kMillisecond);
   EXPECT_EQ(notes, (Scribe::Notes{"wind 3", "body 2.5", "third rotor 0.5", "attach 0.25",
                                   "step 0.001", "disturbance 7", "step 0.001", "disturbance 0",
