@@ -13,6 +13,12 @@ constexpr double kUnknownRate = 4.0;
 // Whatever the silence: an attitude that is half a turn off is no vehicle's [rad].
 constexpr double kLargestTurn = 1.5;
 
+// Whether two attitudes are surely less than `most` [rad] apart, at a small part of the cost of
+// their distance: an angle is at most pi times the sine of its half.
+bool isTurnedLess(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double most) noexcept {
+  return 10.0 * (a.conjugate() * b).vec().squaredNorm() < most * most;
+}
+
 }  // namespace
 
 const char* textOf(Doubt doubt) noexcept {
@@ -66,8 +72,9 @@ bool OdometryGate::believes(const Eigen::Vector3d& specific_force,
 Doubt OdometryGate::jumped(const State& state, const State& expected,
                            double silence) const noexcept {
   const double speed = kUnknownAcceleration * silence;
-  if (state.attitude.angularDistance(expected.attitude) >
-      std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurn)) {
+  const double turn = std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurn);
+  if (!isTurnedLess(state.attitude, expected.attitude, turn) &&
+      state.attitude.angularDistance(expected.attitude) > turn) {
     return Doubt::kTurnJump;
   }
   if ((state.position - expected.position).norm() > limits_.jump + 0.5 * speed * silence) {
