@@ -6,7 +6,8 @@ namespace aqc {
 
 // What gains may be: any that a multirotor of 500 kg could ask for, at least twenty times what
 // those of config/ have. They tell typing mistakes and absurd requests from gains; whether a
-// vehicle flies with them is another question.
+// vehicle flies with them is another question: unstableAxis() of pilot/attitude_loop.h asks it of
+// gains that are to be taken over in flight.
 
 /// A rate [1/s]: how fast an error decays, or a gain forgets. No rotor follows in a millisecond.
 inline const Range kDecay = Range::positiveUpTo(1e4);

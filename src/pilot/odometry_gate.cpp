@@ -15,6 +15,12 @@ constexpr double kLargestTurn = 1.5;
 // What is left of an accelerometer's bias and of a tilt that is not known [m/s^2].
 constexpr double kUnknownBias = 0.5;
 
+// Whether two attitudes are surely less than `most` [rad] apart, at a small part of the cost of
+// their distance: an angle is at most pi times the sine of its half.
+bool isTurnedLess(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double most) noexcept {
+  return 10.0 * (a.conjugate() * b).vec().squaredNorm() < most * most;
+}
+
 }  // namespace
 
 const char* textOf(Doubt doubt) noexcept {
@@ -70,8 +76,9 @@ bool OdometryGate::believes(const Eigen::Vector3d& specific_force,
 Doubt OdometryGate::jumped(const State& state, const State& expected,
                            double silence) const noexcept {
   const double speed = kUnknownAcceleration * silence;
-  if (state.attitude.angularDistance(expected.attitude) >
-      std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurn)) {
+  const double turn = std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurn);
+  if (!isTurnedLess(state.attitude, expected.attitude, turn) &&
+      state.attitude.angularDistance(expected.attitude) > turn) {
     return Doubt::kTurnJump;
   }
   if ((state.position - expected.position).norm() > limits_.jump + 0.5 * speed * silence) {

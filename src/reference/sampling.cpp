@@ -16,21 +16,21 @@ SetPoint toSetPoint(const FlatOutput& output) {
   return set_point;
 }
 
-void requireFewSetPoints(double duration, Nanoseconds period) {
+void requireFewSetPoints(double duration, Nanoseconds period, long most) {
   if (period <= 0) {
     throwInvalidArgument("the period of the set points is ", period, " ns; it must be > 0");
   }
-  const double longest = static_cast<double>(kMostSetPoints) * toSeconds(period);
+  const double longest = static_cast<double>(most) * toSeconds(period);
   if (!(duration <= longest)) {
     throwInvalidArgument("the duration is ", duration, " s; it must be <= ", longest,
-                         " s, which makes ", kMostSetPoints, " set points, one every ",
-                         toSeconds(period), " s");
+                         " s, which makes ", most, " set points, one every ", toSeconds(period),
+                         " s");
   }
 }
 
 std::vector<TimedSetPoint> sample(const PolynomialTrajectory& trajectory, Nanoseconds begin,
-                                  Nanoseconds period) {
-  requireFewSetPoints(trajectory.duration(), period);
+                                  Nanoseconds period, long most) {
+  requireFewSetPoints(trajectory.duration(), period, most);
   std::vector<TimedSetPoint> set_points;
   const Nanoseconds duration = fromSeconds(trajectory.duration());
   for (Nanoseconds time = 0; time < duration; time += period) {

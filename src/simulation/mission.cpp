@@ -140,10 +140,17 @@ class MissionBuilder {
       const PolynomialTrajectory trajectory =
           durations.empty() ? minimumSnapWithin(waypoints, readLimits(entry.child("limits")))
                             : minimumSnap(waypoints, durations);
-      return sample(trajectory, start, period_);
+      return sample(trajectory, start, period_, room());
     } catch (const std::invalid_argument& error) {
-      entry.refuse("through", std::string("cannot be flown: ") + error.what());
+      entry.refuse("through", std::string("cannot be flown: ") + error.what() + before());
     }
+  }
+
+  // How many set points the mission may still have.
+  long room() const { return kMostSetPoints - static_cast<long>(mission_.set_points.size()); }
+  std::string before() const {
+    const std::size_t count = mission_.set_points.size();
+    return count == 0 ? "" : "; " + std::to_string(count) + " stand before it";
   }
 
   // Where an entry that begins at `begin` ends.
@@ -159,9 +166,9 @@ class MissionBuilder {
     const Nanoseconds start = beginLeg(entry);
     const Nanoseconds end = readEnd(entry, start);
     try {
-      requireFewSetPoints(toSeconds(end - start), period_);
+      requireFewSetPoints(toSeconds(end - start), period_, room());
     } catch (const std::invalid_argument& error) {
-      entry.refuse("until", std::string("is too late: ") + error.what());
+      entry.refuse("until", std::string("is too late: ") + error.what() + before());
     }
     const Eigen::Vector3d middle = entry.vector3("position", kPlace);
     const Eigen::Vector3d amplitude = entry.vector3("amplitude", kPlace);

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <vector>
 
 #include "adaptive_quadrotor_control/pilot/flight_controller.h"
+#include "adaptive_quadrotor_control/reference/governor.h"
 #include "adaptive_quadrotor_control/simulation/rigid_plant.h"
 #include "support/fixtures.h"
 #include "support/heap_counter.h"
@@ -71,6 +73,20 @@ TEST_F(AllocationFree, ControlStepOfEveryLaw) {
     controller.step({states[0]}, nullptr, 0.01);
     EXPECT_EQ(counter.count(), 0u) << name;
   }
+}
+
+TEST_F(AllocationFree, GovernorOnEveryWay) {
+  test::Dice dice(3);
+  ReferenceGovernor governor{GovernorLimits()};
+  const test::HeapCounter counter;
+  for (int i = 0; i < 400; ++i) {
+    SetPoint wanted = dice.setPoint();
+    if (i % 7 == 0) wanted.position.x() = std::nan("");
+    governor.follow(wanted, dice.vector(5.0), dice.between(0.5, 3.0), -1.0, 0.003 * (i % 20));
+    if (i % 50 == 0) governor.shift(dice.vector(1.0), 0.3);
+    if (i % 90 == 0) governor.restart(wanted.valid() ? wanted : SetPoint());
+  }
+  EXPECT_EQ(counter.count(), 0u);
 }
 
 }  // namespace

@@ -114,6 +114,9 @@ class Pilot {
   std::vector<std::string> findingNames() const;
 
  private:
+  const char* take(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
+                   Nanoseconds stamp) noexcept;
+  Answer stepIfAwaited() noexcept;
   void beginAnew() noexcept;
   void step(Nanoseconds now) noexcept;
   void stepUnguarded(Nanoseconds now) noexcept;
@@ -145,6 +148,8 @@ class Pilot {
   FlightController controller_;
   FlightMonitor monitor_;
   ImuMonitor imu_;
+  Eigen::Vector3d inertia_;  // of the empty vehicle about x, y, z of B [kg m^2]
+  double least_lag_;         // of its rotors [s]
   SetPointSchedule schedule_;
   SwitchSchedule switches_;
   Sensed sensed_;         // of the last good odometry

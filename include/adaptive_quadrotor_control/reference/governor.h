@@ -9,7 +9,8 @@ namespace aqc {
 
 class ParameterReader;
 
-/// How the reference may move and how far it may run ahead of the vehicle; each > 0 but `floor`.
+/// How the reference may move and how far it may run ahead of the vehicle; each > 0 but `floor`,
+/// and at the most 1e6.
 struct GovernorLimits {
   double horizontal_speed = 4.0;       ///< [m/s]
   double climb_speed = 2.0;            ///< [m/s]
@@ -71,6 +72,7 @@ class ReferenceGovernor {
  private:
   void take(const SetPoint& wanted, double floor) noexcept;
   void step(const Eigen::Vector3d& actual, double thrust_to_weight, double dt) noexcept;
+  void stayNear(const Eigen::Vector3d& actual) noexcept;
 
   GovernorLimits limits_;
   SetPoint reference_;

@@ -57,7 +57,8 @@ struct Mission {
 /// which they begin, and a leg begins no earlier than the last one ends.
 ///
 /// A path or a sine becomes set points with velocity, acceleration and jerk, one every
-/// `set_point_period`; one that makes more than kMostSetPoints is refused. Throws ParameterError.
+/// `set_point_period`; one with which the mission has more than kMostSetPoints is refused. Throws
+/// ParameterError.
 Mission readMission(const ParameterReader& scenario, const std::map<std::string, Payload>& payloads,
                     const SetPoint& start, Nanoseconds set_point_period);
 

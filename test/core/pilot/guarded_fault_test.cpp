@@ -232,5 +232,22 @@ TEST(GuardedFault, NobodyFliesAlongTheGround) {
   EXPECT_EQ(flight.mode(), Mode::kFlying);
 }
 
+TEST(GuardedFault, AnImuSampleRefusedForItsStampIsNotFelt) {
+  GuardedFlight flight;
+  flight.takeOff();
+  int refused = 0;
+  flight.odometry = [&](State&, Nanoseconds&, Nanoseconds& now) {
+    const Answer answer = flight.pilot().hear(Eigen::Vector3d(0.0, 0.0, 150.0),
+                                              Eigen::Vector3d(5.0, 0.0, 0.0), now - 500'000'000);
+    if (answer.refusal != nullptr) ++refused;
+    return true;
+  };
+  flight.fly(4.0);
+  EXPECT_EQ(refused, 1000);
+  EXPECT_EQ(flight.pilot().droppedOdometry(), 0u) << "nobody doubts it for what was refused";
+  EXPECT_EQ(flight.mode(), Mode::kHolding);
+  EXPECT_NEAR(flight.height(), 1.1, 0.1);
+}
+
 }  // namespace
 }  // namespace aqc

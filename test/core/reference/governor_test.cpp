@@ -1,11 +1,19 @@
 #include "adaptive_quadrotor_control/reference/governor.h"
 
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adaptive_quadrotor_control/math/constants.h"
+#include "adaptive_quadrotor_control/math/rotations.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
 namespace aqc {
 namespace {
@@ -130,6 +138,167 @@ TEST(Governor, StaysAboveTheFloorAndTurnsTheShortWay) {
   EXPECT_NEAR(governor.setPoint().yaw, 2.0 * M_PI - 3.0, 1e-3);
   wanted.position.x() = std::nan("");
   EXPECT_NEAR(followExactly(governor, wanted, 0.01).position.z(), 0.5, 1e-2);
+}
+
+const std::vector<std::pair<const char*, double GovernorLimits::*>> kLimits = {
+    {"horizontal_speed", &GovernorLimits::horizontal_speed},
+    {"climb_speed", &GovernorLimits::climb_speed},
+    {"descent_speed", &GovernorLimits::descent_speed},
+    {"acceleration", &GovernorLimits::acceleration},
+    {"vertical_acceleration", &GovernorLimits::vertical_acceleration},
+    {"jerk", &GovernorLimits::jerk},
+    {"yaw_rate", &GovernorLimits::yaw_rate},
+    {"yaw_acceleration", &GovernorLimits::yaw_acceleration},
+    {"lead", &GovernorLimits::lead}};
+
+GovernorLimits readFrom(const YAML::Node& tree) {
+  const ParameterReader reader(tree, "governor");
+  const GovernorLimits limits = readGovernorLimits(reader);
+  reader.finish();
+  return limits;
+}
+
+TEST(GovernorLimits, AreReadByNameOrStayAsTheyAre) {
+  YAML::Node tree(YAML::NodeType::Map);
+  for (const auto& [name, limit] : kLimits) {
+    EXPECT_EQ(readFrom(tree).*limit, GovernorLimits().*limit) << name;
+  }
+  double value = 0.5;
+  for (const auto& [name, limit] : kLimits) tree[name] = value += 1.0;
+  tree["floor"] = -3.0;
+  const GovernorLimits limits = readFrom(tree);
+  value = 0.5;
+  for (const auto& [name, limit] : kLimits) EXPECT_EQ(limits.*limit, value += 1.0) << name;
+  EXPECT_EQ(limits.floor, -3.0);
+}
+
+TEST(GovernorLimits, OutOfRangeAreRefusedByName) {
+  const auto expectRefused = [](const std::string& name, const char* value) {
+    YAML::Node tree;
+    tree[name] = value;
+    try {
+      readFrom(tree);
+      ADD_FAILURE() << name << ": " << value;
+    } catch (const ParameterError& error) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+  };
+  for (const auto& [name, limit] : kLimits) {
+    for (const char* value : {"0", "-1", "1e7", ".nan", ".inf", "fast"}) expectRefused(name, value);
+  }
+  for (const char* value : {".nan", ".inf", "low"}) expectRefused("floor", value);
+}
+
+TEST(Governor, ShiftMovesAndTurnsTheWholeMotion) {
+  ReferenceGovernor governor({});
+  governor.restart({});
+  SetPoint wanted = at({30.0, 0.0, 2.0});
+  wanted.yaw = 1.0;
+  for (int i = 0; i < 60; ++i) followExactly(governor, wanted, 0.01);
+  ReferenceGovernor shifted = governor;
+  const Vector3d shift(5.0, -3.0, 0.7);
+  shifted.shift(shift, M_PI_2);
+  const Eigen::Quaterniond turn = yawRotation(M_PI_2);
+  const SetPoint& before = governor.setPoint();
+  const SetPoint& after = shifted.setPoint();
+  EXPECT_GT(before.velocity.x(), 0.5);
+  EXPECT_LT((after.position - before.position - shift).norm(), 1e-12);
+  EXPECT_LT((after.velocity - turn * before.velocity).norm(), 1e-12);
+  EXPECT_LT((after.acceleration - turn * before.acceleration).norm(), 1e-12);
+  EXPECT_LT((after.jerk - turn * before.jerk).norm(), 1e-12);
+  EXPECT_NEAR(after.yaw, before.yaw + M_PI_2, 1e-12);
+  EXPECT_EQ(after.yaw_rate, before.yaw_rate);
+  // What is not valid means to stay at the last one, which has moved as well.
+  wanted.position.x() = std::nan("");
+  for (int i = 0; i < 2000; ++i) followExactly(shifted, wanted, 0.01);
+  EXPECT_LT((after.position - Vector3d(35.0, -3.0, 2.7)).norm(), 1e-3);
+  EXPECT_NEAR(after.yaw, 1.0 + M_PI_2, 1e-3);
+}
+
+// The greatest thrust over the weight that a way through the room takes, and whether it arrives.
+double greatestThrust(double thrust_to_weight, Vector3d& fastest) {
+  ReferenceGovernor governor({});
+  governor.restart(at({0.0, 0.0, 1.0}));
+  const SetPoint wanted = at({20.0, 10.0, 6.0});
+  double greatest = 0.0;
+  fastest.setZero();
+  for (int i = 0; i < 12000; ++i) {
+    const Vector3d here = governor.setPoint().position;
+    const SetPoint& now = governor.follow(wanted, here, thrust_to_weight, kNoFloor, 0.01);
+    const Vector3d force = now.acceleration + kGravity * Vector3d::UnitZ();
+    greatest = std::max(greatest, force.norm() / kGravity);
+    fastest = fastest.cwiseMax(now.acceleration.cwiseAbs());
+  }
+  EXPECT_LT((governor.setPoint().position - wanted.position).norm(), 1e-3) << thrust_to_weight;
+  return greatest;
+}
+
+TEST(Governor, AsksForNoMoreThanTheRotorsCanDo) {
+  Vector3d fastest;
+  for (const double ratio : {1.15, 1.3, 2.0}) {
+    EXPECT_LE(greatestThrust(ratio, fastest), 0.9 * ratio + 1e-9);
+    EXPECT_GT(fastest.head<2>().norm(), 1.5) << ratio;
+  }
+  greatestThrust(0.8, fastest);  // nothing to spare: slowly, but there
+  EXPECT_LE(fastest.head<2>().norm(), 0.15);
+  EXPECT_LE(fastest.z(), 0.1 + 1e-9);
+  greatestThrust(std::nan(""), fastest);
+  EXPECT_GT(fastest.z(), 2.0) << "what is not a number bounds nothing";
+  EXPECT_GT(fastest.head<2>().norm(), 3.0);
+}
+
+TEST(Governor, BeginsFasterThanTheLimitsAndBrakesWithinThem) {
+  const GovernorLimits limits;
+  ReferenceGovernor governor(limits);
+  SetPoint fast = at({0.0, 0.0, 50.0});
+  fast.velocity = {8.0, -6.0, -5.0};
+  fast.yaw_rate = 4.0;
+  governor.restart(fast);
+  EXPECT_EQ(governor.setPoint().velocity, fast.velocity);
+  EXPECT_EQ(governor.setPoint().acceleration, Vector3d(Vector3d::Zero()));
+  const SetPoint wanted = at({0.0, 0.0, 40.0});
+  for (int i = 0; i < 4000; ++i) {
+    const SetPoint before = governor.setPoint();
+    const SetPoint& now = followExactly(governor, wanted, 0.01);
+    const double speed = before.velocity.head<2>().norm();
+    ASSERT_LE(now.velocity.head<2>().norm(), std::max(limits.horizontal_speed, speed) + 1e-9) << i;
+    ASSERT_LE(now.acceleration.head<2>().norm(), limits.acceleration + 1e-9) << i;
+    ASSERT_LE(std::abs(now.acceleration.z()), limits.vertical_acceleration + 1e-9) << i;
+    ASSERT_LE((now.acceleration - before.acceleration).head<2>().norm(), 0.01 * limits.jerk + 1e-9);
+    ASSERT_LE(std::abs(now.yaw_acceleration), limits.yaw_acceleration + 1e-9) << i;
+  }
+  EXPECT_LT((governor.setPoint().position - wanted.position).norm(), 1e-3);
+  EXPECT_LT(governor.setPoint().velocity.norm(), 1e-3);
+}
+
+TEST(Governor, KnowsNoNorth) {
+  const double angle = 1.1;
+  const Eigen::Quaterniond turn = yawRotation(angle);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  ReferenceGovernor plain({}), turned({});
+  plain.restart({});
+  SetPoint start;
+  start.yaw = angle;
+  turned.restart(start);
+  SetPoint wanted, wanted_turned;
+  for (int i = 0; i < 4000; ++i) {
+    if (i % 300 == 0) {
+      wanted.position = 6.0 * Vector3d(any(random), any(random), any(random));
+      wanted.velocity = Vector3d(any(random), any(random), any(random));
+      wanted.yaw = any(random);
+      wanted_turned = wanted;
+      wanted_turned.position = turn * wanted.position;
+      wanted_turned.velocity = turn * wanted.velocity;
+      wanted_turned.yaw += angle;
+    }
+    const Vector3d here = 0.7 * plain.setPoint().position;
+    const SetPoint& a = plain.follow(wanted, here, 1.5, kNoFloor, 0.01);
+    const SetPoint& b = turned.follow(wanted_turned, turn * here, 1.5, kNoFloor, 0.01);
+    ASSERT_LT((turn * a.position - b.position).norm(), 1e-6) << i;
+    ASSERT_LT((turn * a.velocity - b.velocity).norm(), 1e-5) << i;
+    ASSERT_NEAR(a.yaw + angle, b.yaw, 1e-6) << i;
+  }
 }
 
 }  // namespace

@@ -348,5 +348,25 @@ TEST(Mission, RefusesYawAndThrustOutOfRange) {
   }
 }
 
+TEST(Mission, BoundsTheSetPointsOfAllLegsTogether) {
+  const auto plan = [](const std::string& until) {
+    const std::string sine = "position: [0, 0, 1], amplitude: [1, 0, 0], angular_frequency: 1}}";
+    const ParameterReader scenario(
+        YAML::Load("mission: [{sine: {at: 0, until: 600, " + sine +
+                   ", {sine: {at: 600, until: " + until + ", " + sine + "]"),
+        "long");
+    return readMission(scenario, {}, SetPoint(), 1'000'000).set_points.size();
+  };
+  EXPECT_EQ(plan("999"), 999'002u);
+  try {
+    plan("1001");
+    FAIL() << "each leg alone has less than a million, both have more";
+  } catch (const ParameterError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("until"), std::string::npos) << text;
+    EXPECT_NE(text.find("600001 stand before it"), std::string::npos) << text;
+  }
+}
+
 }  // namespace
 }  // namespace aqc

@@ -1,0 +1,129 @@
+// One step of Pilot, with a guard and without.
+
+#include <algorithm>
+
+#include "adaptive_quadrotor_control/pilot/pilot.h"
+
+namespace aqc {
+namespace {
+
+constexpr double kImuSilence = 0.1;  // [s]: an IMU older than this is not felt any more
+// Older odometry is worse than what the IMU makes of it: laws bear delays of 20 ms or so [s].
+constexpr double kStale = 0.03;
+constexpr double kWeighing = 1.0;   // [s], time constant
+constexpr double kLeastMass = 0.1;  // [kg]
+// Blind, without an accelerometer, a vehicle must rather sink than climb for ever.
+constexpr double kBlindLightness = 0.98;
+constexpr double kStreamPause = 0.5;  // [s]: a stream of single set points has ended
+
+}  // namespace
+
+void Pilot::step(Nanoseconds now) noexcept {
+  if (guarded_) {
+    stepGuarded(now);
+  } else {
+    stepUnguarded(now);
+  }
+}
+
+Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
+  const Guarded& guarded = *guarded_;
+  Situation now;
+  now.dt = dt;
+  if (located_) {
+    const double late = limits_.guard->odometry_late;
+    const bool fresh =
+        guarded.silence < (guarded.reckoning.feels() ? std::min(kStale, late) : late);
+    now.state = fresh ? &sensed_.state : &guarded.reckoning.state();
+  }
+  now.silence = guarded.silence;
+  now.feels = guarded.reckoning.feels();
+  if (now.feels) {
+    now.support = guarded.reckoning.feltLift() / kGravity -
+                  controller_.given().thrust / (guarded.empty_mass * kGravity);
+  }
+  now.planned = planned;
+  now.plan_ended =
+      schedule_.pending() == 0 && (!guarded.streamed || guarded.plan_age > kStreamPause);
+  now.plan_age = guarded.plan_age;
+  now.given = &allocation();
+  now.mass = law().telemetry().liftedMass();
+  now.law_finite = law().finite() && law().telemetry().force.allFinite();
+  return now;
+}
+
+// What the rotors hold up while odometry tells that they do: the mass that dead reckoning without
+// an accelerometer needs. A law's own estimate may differ by what its other terms carry.
+void Pilot::weigh(double dt) noexcept {
+  Guarded& guarded = *guarded_;
+  const Wrench given = controller_.given();
+  const double lift = given.thrust * (sensed_.state.attitude * Eigen::Vector3d::UnitZ()).z();
+  if (!guarded.guard.airborne()) {
+    guarded.mass = std::max(law().telemetry().liftedMass(), kLeastMass);
+  } else if (guarded.silence < limits_.guard->odometry_late) {
+    guarded.mass += std::min(dt / kWeighing, 1.0) * (lift / kGravity - guarded.mass);
+    guarded.mass = std::max(guarded.mass, kLeastMass);
+  }
+}
+
+void Pilot::stepGuarded(Nanoseconds now) noexcept {
+  Guarded& guarded = *guarded_;
+  const double dt = clock_.begin(now, guarded.guard.armed());
+  if (guarded.imu_silence > kImuSilence) guarded.reckoning.feelNothing();
+  const SetPoint* planned = located_ ? schedule_.at(now) : nullptr;
+  const Situation situation = this->situation(planned, dt);
+  const Decision decision = guarded.guard.step(situation);
+  switchSubsystem(now);
+  sense(now);
+  if (decision.stands) guarded.reckoning.stand();
+  if (decision.forget) controller_.forget();
+  if (decision.set_point != nullptr) {
+    set_point_ = *decision.set_point;
+    Sensed sensed = sensed_;
+    sensed.state = *situation.state;
+    controller_.step(sensed, decision.set_point, dt, decision.learn);
+  } else {
+    controller_.idle(decision.idle, dt);
+  }
+  weigh(dt);
+  const double lightness = guarded.reckoning.feels() ? 1.0 : kBlindLightness;
+  guarded.reckoning.advance(controller_.given(), lightness * guarded.mass, dt);
+  guarded.silence += dt;
+  guarded.imu_silence += dt;
+  guarded.plan_age += dt;
+  monitor_.countStep(now, flying(), law().telemetry(), allocation().saturated);
+}
+
+void Pilot::stepUnguarded(Nanoseconds now) noexcept {
+  const SetPoint* set_point = located_ ? schedule_.at(now) : nullptr;
+  if (set_point != nullptr) set_point_ = *set_point;
+  const double dt = clock_.begin(now, set_point != nullptr);
+  switchSubsystem(now);
+  sense(now);
+  const Allocation& allocation = controller_.step(sensed_, set_point, dt);
+  monitor_.countStep(now, flying(), law().telemetry(), allocation.saturated);
+}
+
+void Pilot::switchSubsystem(Nanoseconds now) noexcept {
+  objections_.clear();
+  SubsystemSwitch* subsystems = controller_.subsystems();
+  if (subsystems == nullptr) return;
+  while (const auto report = switches_.next(*subsystems, now)) {
+    if (!report->objected()) continue;
+    objections_.push_back(*report);  // order() has made room
+    last_objection_ = *report;
+  }
+}
+
+void Pilot::sense(Nanoseconds now) noexcept {
+  const Nanoseconds odometry_time = clock_.odometryTime();
+  sensed_.ages.pose = sensed_.ages.body_rate = toSeconds(now - odometry_time);
+  sensed_.specific_force.reset();
+  if (!law().usesSpecificForce()) return;
+  if (const Eigen::Vector3d* specific_force = imu_.at(odometry_time)) {
+    sensed_.specific_force = *specific_force;
+    sensed_.ages.specific_force = toSeconds(now - imu_.time());
+  }
+}
+
+}  // namespace aqc
