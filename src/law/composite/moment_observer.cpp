@@ -1,5 +1,6 @@
 #include "adaptive_quadrotor_control/law/composite/moment_observer.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
