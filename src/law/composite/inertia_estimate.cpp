@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "law/gain_ranges.h"
@@ -15,7 +16,11 @@ constexpr double kMemory = 3.0;       // [s]
 constexpr double kRise = 0.1;         // [s]: slowly up, at once down, which is the safe side
 constexpr double kForgetting = 30.0;  // of what is known, by a change of mass of one empty vehicle
 constexpr double kExcitation = 0.3;   // [rad/s^2 s^1/2], below which the prior rules
-constexpr double kLeastShare = 0.7;   // of J0
+// Squared coherence from which on, and up to which, more and more is believed of a fit: a moment
+// that nobody told of, as that of a payload just dropped, turns the vehicle against its rotors.
+constexpr double kIncoherent = 0.5;
+constexpr double kCoherent = 0.8;
+constexpr double kLeastShare = 0.7;  // of J0
 constexpr double kMostShare = 2.5;
 constexpr double kMostSlope = 0.07;  // of the bound over the carried mass [m^2]
 
@@ -62,6 +67,13 @@ void InertiaEstimate::filter(const Eigen::Vector3d& body_rate, const Eigen::Vect
   rate_.offset += wide * ((rate_.low - rate_.slow) / kWide - rate_.offset);
 }
 
+Eigen::Vector3d InertiaEstimate::trust() const noexcept {
+  const Eigen::Array3d both = moment_squares_.cwiseProduct(acceleration_squares_);
+  const Eigen::Array3d coherence =
+      products_.array().max(0.0).square() / both.max(std::numeric_limits<double>::min());
+  return ((coherence - kIncoherent) / (kCoherent - kIncoherent)).max(0.0).min(1.0);
+}
+
 void InertiaEstimate::update(const Eigen::Vector3d& body_rate, const Eigen::Vector3d& moment,
                              double mass, double dt) noexcept {
   filter(body_rate, moment, dt);
@@ -72,10 +84,13 @@ void InertiaEstimate::update(const Eigen::Vector3d& body_rate, const Eigen::Vect
   const double keep = forgetting_.rest(dt) / (1.0 + kForgetting * change);
   moment_squares_ = keep * moment_squares_ + dt * torque.cwiseAbs2();
   products_ = keep * products_ + dt * torque.cwiseProduct(acceleration);
+  acceleration_squares_ = keep * acceleration_squares_ + dt * acceleration.cwiseAbs2();
   const Eigen::Vector3d most =
       kMostShare * empty_.array() + kMostSlope * std::max(mass - empty_mass_, 0.0);
-  const Eigen::Vector3d fit = (moment_squares_ + weight_.cwiseProduct(prior(mass)))
-                                  .cwiseQuotient((products_ + weight_).cwiseMax(0.2 * weight_))
+  const Eigen::Vector3d expected = prior(mass);
+  const Eigen::Vector3d squares = (moment_squares_ + weight_.cwiseProduct(expected))
+                                      .cwiseQuotient((products_ + weight_).cwiseMax(0.2 * weight_));
+  const Eigen::Vector3d fit = (expected + trust().cwiseProduct(squares - expected))
                                   .cwiseMax(kLeastShare * empty_)
                                   .cwiseMin(most);
   const Eigen::Vector3d raised = value_ + rise_.share(dt) * (fit - value_);
@@ -89,6 +104,7 @@ void InertiaEstimate::reset() noexcept {
 void InertiaEstimate::adopt(double mass) noexcept {
   moment_squares_.setZero();
   products_.setZero();
+  acceleration_squares_.setZero();
   rate_.start(Eigen::Vector3d::Zero());
   moment_.start(Eigen::Vector3d::Zero());
   value_ = prior(mass);
@@ -99,6 +115,7 @@ void InertiaEstimate::adopt(double mass) noexcept {
 void InertiaEstimate::adopt(const InertiaEstimate& old) noexcept {
   moment_squares_ = old.moment_squares_;
   products_ = old.products_;
+  acceleration_squares_ = old.acceleration_squares_;
   rate_ = old.rate_;
   moment_ = old.moment_;
   value_ = old.value_;

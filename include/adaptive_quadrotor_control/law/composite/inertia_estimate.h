@@ -33,6 +33,8 @@ class InertiaEstimate {
 
  private:
   void filter(const Eigen::Vector3d& body_rate, const Eigen::Vector3d& moment, double dt) noexcept;
+  // In the fit, 0 to 1 for each axis.
+  Eigen::Vector3d trust() const noexcept;
   Eigen::Vector3d prior(double mass) const noexcept;
 
   // tw s / ((tl s + 1) (tw s + 1)^2): neither an offset nor what is fast comes through.
@@ -53,6 +55,7 @@ class InertiaEstimate {
   BandPass moment_;
   Eigen::Vector3d moment_squares_ = Eigen::Vector3d::Zero();  // S_tt
   Eigen::Vector3d products_ = Eigen::Vector3d::Zero();        // S_ta
+  Eigen::Vector3d acceleration_squares_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d value_;
   double mass_;  // of the last update
   bool fresh_ = true;
