@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "adaptive_quadrotor_control/law/asmc.h"
+#include "adaptive_quadrotor_control/law/composite/composite.h"
 #include "adaptive_quadrotor_control/law/geometric.h"
 #include "adaptive_quadrotor_control/law/smc.h"
 #include "adaptive_quadrotor_control/law/switched/switched.h"
@@ -33,6 +34,7 @@ std::pair<const std::string, Maker> entry() {
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> table = {
       entry<Asmc>(),
+      entry<Composite>(),
       entry<Geometric>(),
       entry<Smc>(),
       entry<Switched>(),

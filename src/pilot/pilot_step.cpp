@@ -80,7 +80,10 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
   if (decision.set_point != nullptr) {
     set_point_ = *decision.set_point;
     Sensed sensed = sensed_;
-    sensed.state = *situation.state;
+    if (situation.state != &sensed_.state) {  // that of dead reckoning, which is of now
+      sensed.state = *situation.state;
+      sensed.ages.pose = sensed.ages.body_rate = 0.0;
+    }
     controller_.step(sensed, decision.set_point, dt, decision.learn);
   } else {
     controller_.idle(decision.idle, dt);

@@ -189,7 +189,7 @@ class Mistakes(FlyTest):
     def test_unknown_names_are_answered_with_known_ones(self):
         self.assertIn("unknown scenario 'lost'; there are: aggressive_manoeuvre",
                       self.refused("lost"))
-        self.assertIn("unknown controller 'pid'; there are: asmc, geometric",
+        self.assertIn("unknown controller 'pid'; there are: asmc, composite, geometric",
                       self.refused(self.scenario, "-c", "asmc,pid"))
         self.assertIn("unknown vehicle 'kite'; there are: ",
                       self.refused(self.scenario, "-v", "kite"))

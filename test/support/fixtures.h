@@ -34,6 +34,7 @@ inline std::unique_ptr<ControlLaw> lawNamed(const std::string& name, const Vehic
 inline Wrench step(ControlLaw& law, const Sensed& sensed, const SetPoint& set_point, double dt) {
   Allocation allocation;
   allocation.requested = allocation.achieved = law.command(sensed, set_point, dt);
+  law.observe(allocation.achieved, dt);
   law.adapt({allocation, allocation.speeds}, dt);
   return allocation.requested;
 }

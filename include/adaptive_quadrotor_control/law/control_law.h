@@ -89,8 +89,8 @@ struct EstimateBounds {
 /// A control law: from where the vehicle is and should be to what the rotors should do together.
 ///
 /// Value-like: all state is inside, time comes in as `dt`, the same calls give the same bits.
-/// command(), adapt(), reset(), adopt(), bound() and finite() neither allocate, block, log nor
-/// throw.
+/// command(), observe(), adapt(), reset(), adopt(), bound() and finite() neither allocate, block,
+/// log nor throw.
 class ControlLaw {
  public:
   virtual ~ControlLaw() = default;
@@ -99,6 +99,14 @@ class ControlLaw {
   /// valid(). Every command is followed by adapt() before the next one, or by none while
   /// adaptation rests: what was learned then stays as it is, and telemetry() tells of the command.
   virtual Wrench command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept = 0;
+
+  /// What the rotors are predicted to give at the end of a step of `dt` seconds (> 0), told after
+  /// every step, with a set point or without one, and before adapt(). Outlives reset(): rotors do
+  /// not stand still because a law forgets. Laws that do not want to know have nothing to do.
+  virtual void observe(const Wrench& given, double dt) noexcept {
+    static_cast<void>(given);
+    static_cast<void>(dt);
+  }
 
   /// Learns from the last command over the `dt` seconds for which it holds, knowing what the rotors
   /// could give of it.
@@ -129,6 +137,13 @@ class ControlLaw {
 
   /// Whether the law makes use of Sensed::specific_force. Every law must do without.
   virtual bool usesSpecificForce() const noexcept { return false; }
+
+  /// Whether observe() is to be called.
+  virtual bool observesRotors() const noexcept { return false; }
+
+  /// How far the rotors are to be told to go, in units of where they are to be: see
+  /// RotorLag::lead(). 1: just there.
+  virtual double rotorLead() const noexcept { return 1.0; }
 
   /// The switching signal of a law with several subsystems, owned by the law; null for others.
   virtual SubsystemSwitch* subsystems() noexcept { return nullptr; }

@@ -11,7 +11,9 @@ namespace aqc {
 struct Allocation {
   RotorArray speeds;       ///< omega_i [rad/s], in [0, omega_max]
   Wrench requested;        ///< what the control law asked for
-  Wrench achieved;         ///< what `speeds` give once the rotors have reached them
+  /// What the rotors are to reach: what `speeds` give in the end or, when they are told to hurry
+  /// (see RotorLag::lead()), what those give that were allocated.
+  Wrench achieved;
   bool saturated = false;  ///< true when achieved differs from requested
 };
 

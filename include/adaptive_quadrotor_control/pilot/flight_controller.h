@@ -44,8 +44,11 @@ class FlightController {
   Wrench given() const noexcept { return rotors_.wrench(lag_.speeds()); }
 
  private:
+  void turnRotors(double dt) noexcept;
+
   RotorAllocation rotors_;
   RotorLag lag_;
+  double most_speed_;  // of a rotor [rad/s]
   std::unique_ptr<ControlLaw> law_;
   Allocation allocation_;
   EstimateBounds bounds_;

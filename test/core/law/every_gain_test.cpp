@@ -22,6 +22,7 @@ class Diary {
  public:
   explicit Diary(ControlLaw& law) : law_(law) {
     if (law_.subsystems() != nullptr) text_ = law_.subsystems()->text();
+    numbers_.push_back(law_.rotorLead());
     for (int i = 0; i < 600; ++i) {
       if (law_.subsystems() != nullptr && i % 25 == 24) requestSwitch(i);
       step(i);

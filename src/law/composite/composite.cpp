@@ -1,0 +1,364 @@
+#include "adaptive_quadrotor_control/law/composite/composite.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "adaptive_quadrotor_control/law/composite/prediction.h"
+#include "adaptive_quadrotor_control/law/saturation.h"
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/gain_ranges.h"
+
+namespace aqc {
+namespace {
+
+constexpr double kThrustShare = 0.98;   // of full thrust: the rest is for moments
+constexpr double kLeastLift = 1e-3;     // [N]; the law itself never asks for so little
+constexpr double kLongest = 0.05;       // [s]: over longer steps nothing is observed
+constexpr double kOldest = 0.2;         // [s]: nothing is predicted further
+constexpr double kFarthest = 1e3;       // of errors and rates: nobody flies there
+constexpr double kMostSliding = 2.0;    // [m/s]
+constexpr double kMostBias = 3.0;       // [m/s^2]
+constexpr double kBiasLeak = 0.05;      // sigma [1/s]
+constexpr double kMostTurn = 3.0;       // [rad/s], of the feed-forward
+constexpr double kSidewaysShare = 0.7;  // of the acceleration that the thrust leaves
+constexpr double kDownwardShare = 0.8;
+constexpr double kLeastSideways = 0.3;  // [m/s^2]
+constexpr double kLeastDownward = 0.2;
+const Range kLead = Range::between(1.0, 100.0);
+const Range kSpeed = Range::positiveUpTo(1e3);
+
+Eigen::Vector3d within(const Eigen::Vector3d& vector, double most) noexcept {
+  return vector.cwiseMax(-most).cwiseMin(most);
+}
+
+// Sideways by the norm, and by itself the height.
+Eigen::Vector3d bounded(const Eigen::Vector3d& vector, double most) noexcept {
+  const double side = std::max(vector.head<2>().norm(), most);
+  Eigen::Vector3d result;
+  result << vector.head<2>() * (most / side), std::clamp(vector.z(), -most, most);
+  return result;
+}
+
+Approach readApproach(const ParameterReader& reader, std::size_t which) {
+  const auto read = [&](const char* key, const char* symbol, const char* unit, const char* words,
+                        const Range& range) {
+    return reader.numbers({key, symbol, unit, words, {"sideways", "height"}}, 2, range)[which];
+  };
+  return {
+      read("slope", "Phi_p", "1/s", "how fast a small error decays on the sliding surface", kDecay),
+      read("braking", "a", "m/s^2", "strongest braking of an approach, where the motors have it",
+           kSpeed),
+      read("speed", "v", "m/s", "fastest approach of a set point", kSpeed)};
+}
+
+// Two numbers, the first one for x and y.
+Eigen::Vector3d readPair(const ParameterReader& reader, ParameterKey key,
+                         std::vector<std::string> entries) {
+  key.entries = std::move(entries);
+  const std::vector<double> pair = reader.numbers(key, 2, kDecay);
+  return {pair[0], pair[0], pair[1]};
+}
+
+AdaptiveGain readGain(const ParameterReader& reader, const char* symbol, const char* gain) {
+  return AdaptiveGain(
+      0.0, reader.number({"leak", symbol, "1/s", std::string("forgetting of ") + gain}, kDecay));
+}
+
+template <std::size_t Count>
+void adaptGains(std::array<AdaptiveGain, Count>& gains, double size, double xi,
+                double dt) noexcept {
+  double drive = std::min(size, 1.0);
+  const double factor = std::min(xi, 1.0);
+  for (AdaptiveGain& gain : gains) {
+    gain.step(drive, dt);
+    drive *= factor;
+  }
+}
+
+// rho = sum_i K_i ||xi||^i
+template <std::size_t Count>
+double robust(const std::array<AdaptiveGain, Count>& gains, double xi) noexcept {
+  double rho = 0.0;
+  for (std::size_t i = Count; i-- > 0;) rho = rho * xi + gains[i].value();
+  return rho;
+}
+
+Ages agesOf(const Ages& ages) noexcept {
+  const auto limited = [](double age) { return std::clamp(age, 0.0, kOldest); };
+  return {limited(ages.pose), limited(ages.body_rate), limited(ages.specific_force)};
+}
+
+const std::vector<std::string> kPositionEntries = {"sideways", "height"};
+const std::vector<std::string> kTurnEntries = {"tilt", "yaw"};
+
+}  // namespace
+
+Composite::Composite(const ParameterReader& reader, const Vehicle& vehicle)
+    : rotor_lead_(reader.number(
+          {"rotor_lead", "kappa", "", "how far rotors are told to go, in ways to their place"},
+          kLead)),
+      tilt_(reader.angle({"max_tilt_deg", "", "deg", "largest tilt commanded"},
+                         Range::positiveUpTo(89.0)),
+            kLeastLift),
+      sideways_(readApproach(reader.child("position"), 0)),
+      vertical_(readApproach(reader.child("position"), 1)),
+      gain_(readPair(reader.child("position"),
+                     {"gain", "lambda_p", "1/s", "damping towards the surface"}, kPositionEntries)),
+      boundary_layer_(
+          reader.child("position")
+              .number({"boundary_layer", "varpi_p", "m/s", "smooths sgn(s); smaller is stiffer"},
+                      kLayer)),
+      bias_drive_(readPair(
+          reader.child("position"),
+          {"bias_drive", "gamma", "1/s^2", "how fast what is left beside the surface is learned"},
+          kPositionEntries)),
+      turn_slope_(
+          readPair(reader.child("attitude"),
+                   {"slope", "Phi_q", "1/s", "how fast the error decays on the sliding surface"},
+                   kTurnEntries)),
+      turn_gain_(readPair(reader.child("attitude"),
+                          {"gain", "lambda_q", "1/s", "damping towards the surface"},
+                          kTurnEntries)),
+      turn_boundary_layer_(
+          reader.child("attitude")
+              .number({"boundary_layer", "varpi_q", "rad/s", "smooths sgn(s); smaller is stiffer"},
+                      kLayer)),
+      rotor_time_(0.5 * (vehicle.time_constant_up + vehicle.time_constant_down)),
+      share_(kThrustShare * vehicle.maxThrust(), 1.0 / tilt_.least_ratio),
+      mass_(reader.child("estimates"), vehicle),
+      moment_(reader.child("estimates"), vehicle),
+      inertia_(reader.child("estimates"), vehicle),
+      gains_{readGain(reader.child("position"), "alpha_p", "K_p"),
+             readGain(reader.child("position"), "alpha_p", "K_p")},
+      turn_gains_{readGain(reader.child("attitude"), "alpha_q", "K_q"),
+                  readGain(reader.child("attitude"), "alpha_q", "K_q"),
+                  readGain(reader.child("attitude"), "alpha_q", "K_q")} {
+  report();
+}
+
+Wrench Composite::command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept {
+  sense(sensed, dt);
+  const Motion now = predict(sensed);
+  const Pushed pushed = push(now, set_point);
+  const Eigen::Vector3d moment = this->moment(now, pushed, set_point);
+  telemetry_.position_error = sensed.state.position - set_point.position;
+  telemetry_.velocity_error = sensed.state.velocity - set_point.velocity;
+  telemetry_.force = pushed.force;
+  followed_ = false;
+  return {std::max(0.0, pushed.force.dot(now.attitude.col(2))), moment};
+}
+
+// Estimates take in what came; adapt() makes it stay.
+void Composite::sense(const Sensed& sensed, double dt) noexcept {
+  const Ages before = ages_;
+  ages_ = agesOf(sensed.ages);
+  rate_ = within(sensed.state.body_rate, kFarthest);
+  follows_ = followed_ && dt <= kLongest;
+  // What was heard before is no news: its age grew as time went by.
+  rate_elapsed_ = follows_ ? std::max(dt - (ages_.body_rate - before.body_rate), 0.0) : 0.0;
+  if (follows_) {
+    if (rate_elapsed_ > 0.0) {
+      mean_moment_ = applied_.mean(ages_.body_rate, rate_elapsed_).moment;
+    }
+    moment_.see(rate_, mean_moment_, inertia_.value(), rate_elapsed_);
+  } else {
+    moment_.restart(rate_);
+    mass_.restart();
+  }
+  if (sensed.specific_force) {
+    const double age = ages_.specific_force;
+    const double thrust =
+        age > 0.0 ? applied_.mean(std::max(age - 0.5 * dt, 0.0), dt).thrust : applied_.now().thrust;
+    const Eigen::Matrix3d attitude = sensed.state.attitude.toRotationMatrix();
+    mass_.feel(*sensed.specific_force, thrust, attitude, std::min(dt, kLongest));
+  } else {
+    const double elapsed = follows_ ? std::max(dt - (ages_.pose - before.pose), 0.0) : 0.0;
+    const double thrust =
+        elapsed > 0.0 ? applied_.mean(ages_.pose, elapsed).thrust : applied_.now().thrust;
+    mass_.see(within(sensed.state.velocity, kFarthest),
+              sensed.state.attitude * Eigen::Vector3d::UnitZ(), thrust, elapsed);
+  }
+}
+
+Composite::Motion Composite::predict(const Sensed& sensed) const noexcept {
+  Motion now;
+  const Eigen::Vector3d& inertia = inertia_.value();
+  now.state.body_rate = predictedRate(moment_, applied_, inertia, ages_.body_rate);
+  now.state.attitude = predictedAttitude(sensed.state.attitude, moment_, applied_, inertia, ages_);
+  now.attitude = now.state.attitude.toRotationMatrix();
+  now.acceleration = now.attitude * mass_.specificForce(applied_.now().thrust) + bias_;
+  if (mass_.seesOnly()) now.acceleration += mass_.force();
+  now.acceleration.z() -= kGravity;
+  const double age = ages_.pose;
+  now.state.velocity = sensed.state.velocity + age * now.acceleration;
+  now.state.position =
+      sensed.state.position + age * sensed.state.velocity + (0.5 * age * age) * now.acceleration;
+  return now;
+}
+
+// The force that takes the vehicle to the surface, and how it is about to change.
+Composite::Pushed Composite::push(const Motion& now, const SetPoint& set_point) noexcept {
+  const double mass = mass_.mass();
+  const Eigen::Vector3d error = within(now.state.position - set_point.position, kFarthest);
+  const Eigen::Vector3d rate = within(now.state.velocity - set_point.velocity, kFarthest);
+  Approach sideways = sideways_;
+  sideways.braking = std::clamp(kSidewaysShare * share_.sideways(mass), kLeastSideways,
+                                std::max(sideways_.braking, kLeastSideways));
+  Approach vertical = vertical_;
+  if (error.z() > 0.0) {  // what sinks brakes by thrust, what rises by its weight
+    vertical.braking = std::clamp(kDownwardShare * share_.upwards(mass), kLeastDownward,
+                                  std::max(vertical_.braking, kLeastDownward));
+  }
+  const BoundedSurface surface(error, sideways, vertical);
+  const Eigen::Vector3d sliding = rate + surface.value();
+  const Eigen::Vector3d sliding_bounded = bounded(sliding, kMostSliding);
+  const double xi = std::sqrt(error.squaredNorm() + rate.squaredNorm());
+
+  const Eigen::Vector3d slope_rate = surface.slopeTimes(rate);
+  Eigen::Vector3d wanted =
+      set_point.acceleration - slope_rate - gain_.cwiseProduct(sliding_bounded) -
+      robust(gains_, xi) * saturate(sliding, boundary_layer_) - mass_.force() - bias_;
+  wanted.z() += kGravity;
+  const ThrustShare::Force shared = share_.share(mass * wanted, mass);
+  telemetry_.sliding_position = sliding;
+  outer_ = {
+      sliding_bounded, sliding.norm(), xi, surface.linearSideways(), surface.linearVertically(),
+      shared.clamped};
+
+  const Eigen::Vector3d miss = now.acceleration - set_point.acceleration;
+  Eigen::Vector3d jerk = set_point.jerk - surface.slopeTimes(miss);
+  if (!shared.clamped) jerk -= gain_.cwiseProduct(miss + slope_rate);
+  return {shared.force, jerk};
+}
+
+Eigen::Vector3d Composite::moment(const Motion& now, const Pushed& pushed,
+                                  const SetPoint& set_point) noexcept {
+  const Eigen::Vector3d& inertia = inertia_.value();
+  const Eigen::Matrix3d desired = desiredAttitude(pushed.force, set_point.yaw, tilt_);
+  const Eigen::Vector3d z = desired.col(2);
+  // What turns z_d as the force turns: omega_d = z_d x h.
+  const Eigen::Vector3d turning =
+      within(pushed.jerk, kFarthest) * (mass_.mass() / pushed.force.norm());
+  Eigen::Vector3d turn = z.cross(turning);
+  turn *= kMostTurn / std::max(turn.norm(), kMostTurn);
+  AttitudeErrors errors = attitudeErrors(now.state, desired, set_point.yaw_rate);
+  errors.rate -= now.attitude.transpose() * turn;
+
+  // What the rotors will still do on their way counts as done.
+  const Eigen::Vector3d coming =
+      (applied_.now().moment + moment_.moment()).cwiseQuotient(inertia) * rotor_time_;
+  const Eigen::Vector3d sliding = errors.rate + coming + turn_slope_.cwiseProduct(errors.angle);
+  const double xi = std::sqrt(errors.angle.squaredNorm() + errors.rate.squaredNorm());
+  inner_ = {sliding.norm(), xi};
+  telemetry_.attitude_error = errors.angle;
+  telemetry_.rate_error = errors.rate;
+  telemetry_.sliding_attitude = sliding;
+  telemetry_.desired_attitude = Eigen::Quaterniond(desired);
+
+  const Eigen::Vector3d turning_up =
+      -turn_slope_.cwiseProduct(errors.rate) - turn_gain_.cwiseProduct(sliding) -
+      robust(turn_gains_, xi) * saturate(sliding, turn_boundary_layer_);
+  const Eigen::Vector3d& omega = now.state.body_rate;
+  return inertia.cwiseProduct(turning_up) + omega.cross(inertia.cwiseProduct(omega)) -
+         moment_.moment();
+}
+
+void Composite::adapt(const Achieved& achieved, double dt) noexcept {
+  mass_.keep();
+  moment_.keep();
+  if (rate_elapsed_ > 0.0) {
+    const Eigen::Vector3d spin = inertia_.value().cwiseProduct(rate_);
+    inertia_.update(rate_, mean_moment_ - rate_.cross(spin), mass_.mass(), rate_elapsed_);
+  } else if (!follows_) {
+    inertia_.restart();
+  }
+  followed_ = true;
+  if (!outer_.clamped && !achieved.allocation.saturated) {
+    adaptGains(gains_, outer_.size, outer_.xi, dt);
+    adaptGains(turn_gains_, inner_.size, inner_.xi, dt);
+    if (mass_.lifted()) learnBias(std::min(dt, kLongest));
+  }
+  report();
+}
+
+void Composite::learnBias(double dt) noexcept {
+  const Eigen::Vector3d drive = bias_drive_.cwiseProduct(outer_.sliding) - kBiasLeak * bias_;
+  if (outer_.learns_sideways) bias_.head<2>() += dt * drive.head<2>();
+  if (outer_.learns_vertically) bias_.z() += dt * drive.z();
+  bias_ *= kMostBias / std::max(bias_.norm(), kMostBias);
+}
+
+void Composite::reset() noexcept {
+  mass_.reset();
+  moment_.reset();
+  inertia_.reset();
+  bias_.setZero();
+  for (AdaptiveGain& gain : gains_) gain.reset();
+  for (AdaptiveGain& gain : turn_gains_) gain.reset();
+  ages_ = {};
+  rate_.setZero();
+  mean_moment_.setZero();
+  rate_elapsed_ = 0.0;
+  followed_ = false;
+  outer_ = {};
+  inner_ = {};
+  report();
+}
+
+void Composite::adopt(const ControlLaw& old) noexcept {
+  if (const auto* same = dynamic_cast<const Composite*>(&old)) {
+    mass_.adopt(same->mass_);
+    moment_.adopt(same->moment_);
+    inertia_.adopt(same->inertia_);
+    bias_ = same->bias_;
+    for (std::size_t i = 0; i < gains_.size(); ++i) gains_[i].adopt(same->gains_[i].value());
+    for (std::size_t i = 0; i < turn_gains_.size(); ++i) {
+      turn_gains_[i].adopt(same->turn_gains_[i].value());
+    }
+    applied_ = same->applied_;
+    ages_ = same->ages_;
+    followed_ = same->followed_;
+  } else {
+    mass_.adopt(old.telemetry().liftedMass());
+    inertia_.adopt(mass_.mass());
+  }
+  report();
+}
+
+void Composite::bound(const EstimateBounds& bounds) noexcept {
+  mass_.bound(bounds.most_mass);
+  report();
+}
+
+bool Composite::finite() const noexcept {
+  const auto isFinite = [](const AdaptiveGain& gain) { return std::isfinite(gain.value()); };
+  return mass_.finite() && moment_.finite() && inertia_.finite() && bias_.allFinite() &&
+         std::all_of(gains_.begin(), gains_.end(), isFinite) &&
+         std::all_of(turn_gains_.begin(), turn_gains_.end(), isFinite);
+}
+
+std::vector<AdaptiveQuantity> Composite::adaptiveQuantities() const {
+  std::vector<AdaptiveQuantity> quantities = {{"K_p0", "m/s\u00b2"},
+                                              {"K_p1", "m/s\u00b2/\u2016\u03be\u2016"},
+                                              {"K_q0", "rad/s\u00b2"},
+                                              {"K_q1", "rad/s\u00b2/\u2016\u03be\u2016"},
+                                              {"K_q2", "rad/s\u00b2/\u2016\u03be\u2016\u00b2"}};
+  for (const auto& [symbol, unit] : {std::pair("d_f", "m/s\u00b2"), std::pair("d_s", "m/s\u00b2"),
+                                     std::pair("d_q", "N m"), std::pair("J", "kg m\u00b2")}) {
+    for (const char* axis : {"x", "y", "z"}) {
+      quantities.push_back({std::string(symbol) + axis, unit});
+    }
+  }
+  return quantities;
+}
+
+void Composite::report() noexcept {
+  telemetry_.mass_estimate = mass_.learnedMass();
+  telemetry_.adaptive.resize(17);
+  telemetry_.adaptive << gains_[0].value(), gains_[1].value(), turn_gains_[0].value(),
+      turn_gains_[1].value(), turn_gains_[2].value(), mass_.force(), bias_, moment_.moment(),
+      inertia_.value();
+}
+
+}  // namespace aqc
