@@ -77,7 +77,7 @@ SetRotor anyRotor(const Draw& draw) {
 
 std::string drawRotorWeak(const Draw& draw) {
   SetRotor rotor = anyRotor(draw);
-  rotor.condition.effectiveness = draw.dice.between(0.75, 1.0);
+  rotor.condition.effectiveness = draw.dice.between(0.85, 1.0);
   const TimeWindow window = draw.spell();
   draw.happens(window.from, rotor);
   const std::string what =
@@ -144,7 +144,7 @@ std::vector<FaultDraw> plantFaults() {
       {{FaultKind::kGust, "gust", "Dryden: to 2 m/s, 5 to 30 m long, passing by at 3 to 10 m/s"},
        drawGust},
       {{FaultKind::kRotorWeak, "rotor weak",
-        "gives 0.75 to 1 of its thrust; 3 of 10 get well after 0.1 to 5 s"},
+        "gives 0.85 to 1 of its thrust; 3 of 10 get well after 0.1 to 5 s"},
        drawRotorWeak},
       {{FaultKind::kRotorSlow, "rotor slow", "its time constants are 1 to 3 times as long"},
        drawRotorSlow},
