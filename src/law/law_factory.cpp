@@ -33,11 +33,7 @@ std::pair<const std::string, Maker> entry() {
 // To add a law: write its class in a file of its own and add its line here.
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> table = {
-      entry<Asmc>(),
-      entry<Composite>(),
-      entry<Geometric>(),
-      entry<Smc>(),
-      entry<Switched>(),
+      entry<Asmc>(), entry<Composite>(), entry<Geometric>(), entry<Smc>(), entry<Switched>(),
   };
   return table;
 }

@@ -9,8 +9,8 @@ namespace aqc {
 
 /// What the rotors are told, and what that really gives.
 struct Allocation {
-  RotorArray speeds;       ///< omega_i [rad/s], in [0, omega_max]
-  Wrench requested;        ///< what the control law asked for
+  RotorArray speeds;  ///< omega_i [rad/s], in [0, omega_max]
+  Wrench requested;   ///< what the control law asked for
   /// What the rotors are to reach: what `speeds` give in the end or, when they are told to hurry
   /// (see RotorLag::lead()), what those give that were allocated.
   Wrench achieved;

@@ -21,9 +21,9 @@ class RotorLag {
   void turn(const RotorArray& command, double dt) noexcept;
 
   /// What to tell the rotors for the next `dt` seconds (> 0) so that they come to where they should
-  /// be, `command` [rad/s], sooner: omega + lead (command - omega), within [0, most]. `lead` is >= 1,
-  /// where 1 changes nothing. None goes beyond its place within `dt`, so that a rotor without a lag
-  /// is told its place.
+  /// be, `command` [rad/s], sooner: omega + lead (command - omega), within [0, most]. `lead` is >=
+  /// 1, where 1 changes nothing. None goes beyond its place within `dt`, so that a rotor without a
+  /// lag is told its place.
   void lead(RotorArray& command, double lead, double most, double dt) noexcept;
 
   const RotorArray& speeds() const noexcept { return speeds_; }  ///< omega_i [rad/s]

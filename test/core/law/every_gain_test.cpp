@@ -49,7 +49,7 @@ class Diary {
     set_point.position = state.position + dice_.vector(i % 4 < 2 ? 0.01 : 3.0);
     set_point.velocity = state.velocity + dice_.vector(i % 4 < 2 ? 0.01 : 3.0);
     Sensed sensed = {state};
-    if (i % 3 != 0) sensed.specific_force = dice_.vector(20.0);
+    if (i % 5 < 3) sensed.specific_force = dice_.vector(20.0);
     const Wrench wrench = test::step(law_, sensed, set_point, 0.01);
     numbers_.insert(numbers_.end(),
                     {wrench.thrust, wrench.moment.x(), wrench.moment.y(), wrench.moment.z()});

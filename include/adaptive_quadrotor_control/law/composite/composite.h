@@ -106,8 +106,8 @@ class Composite final : public ControlLaw {
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();         // as it was sensed
   Eigen::Vector3d mean_moment_ = Eigen::Vector3d::Zero();  // since the rate before
   double rate_elapsed_ = 0.0;                              // since then [s]
-  bool followed_ = false;  // the last command was learned from
-  bool follows_ = false;   // so that the present one may compare
+  bool followed_ = false;                                  // the last command was learned from
+  bool follows_ = false;                                   // so that the present one may compare
   Outer outer_;
   Inner inner_;
   Telemetry telemetry_;
