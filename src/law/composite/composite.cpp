@@ -7,6 +7,7 @@
 #include "adaptive_quadrotor_control/law/composite/prediction.h"
 #include "adaptive_quadrotor_control/law/saturation.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/composite/within.h"
 #include "law/gain_ranges.h"
 
 namespace aqc {
@@ -27,10 +28,6 @@ constexpr double kLeastSideways = 0.3;  // [m/s^2]
 constexpr double kLeastDownward = 0.2;
 const Range kLead = Range::between(1.0, 100.0);
 const Range kSpeed = Range::positiveUpTo(1e3);
-
-Eigen::Vector3d within(const Eigen::Vector3d& vector, double most) noexcept {
-  return vector.cwiseMax(-most).cwiseMin(most);
-}
 
 // Sideways by the norm, and by itself the height.
 Eigen::Vector3d bounded(const Eigen::Vector3d& vector, double most) noexcept {

@@ -5,6 +5,7 @@
 
 #include "adaptive_quadrotor_control/math/constants.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "law/composite/within.h"
 #include "law/gain_ranges.h"
 
 namespace aqc {
@@ -20,10 +21,6 @@ constexpr double kLeastShare = 0.7;  // of the empty mass: a force constant may 
 constexpr double kMostShare = 0.98;  // of what the rotors can lift
 constexpr double kMostForce = 30.0;  // [m/s^2]
 const Range kTimeConstant = Range::positiveUpTo(100.0);
-
-Eigen::Vector3d within(const Eigen::Vector3d& vector, double most) noexcept {
-  return vector.cwiseMax(-most).cwiseMin(most);
-}
 
 }  // namespace
 

@@ -33,12 +33,14 @@ class InertiaEstimateTest : public ::testing::Test {
 };
 
 TEST_F(InertiaEstimateTest, IsTheVehiclesOwnAtRest) {
-  for (int i = 0; i < 1000; ++i) estimate_.update({}, {}, 1.0, kStep);
+  for (int i = 0; i < 1000; ++i)
+    estimate_.update(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1.0, kStep);
   EXPECT_LT((estimate_.value() - empty_).norm(), 1e-12);
 }
 
 TEST_F(InertiaEstimateTest, FollowsThePriorWithTheMass) {
-  for (int i = 0; i < 1000; ++i) estimate_.update({}, {}, 1.5, kStep);
+  for (int i = 0; i < 1000; ++i)
+    estimate_.update(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1.5, kStep);
   EXPECT_LT((estimate_.value() - empty_ - Eigen::Vector3d(0.01, 0.01, 0.0)).norm(), 1e-9);
 }
 
@@ -58,7 +60,8 @@ TEST_F(InertiaEstimateTest, StaysWithinItsBounds) {
 TEST_F(InertiaEstimateTest, ForgetsWhenThePayloadIsGoneAndFallsAtOnce) {
   shake({0.03, 0.03, 0.03}, 1.6, 0.3, 10.0);
   ASSERT_GT(estimate_.value().x(), 0.025);
-  for (int i = 1; i <= 10; ++i) estimate_.update(rate_, {}, 1.6 - 0.06 * i, kStep);
+  for (int i = 1; i <= 10; ++i)
+    estimate_.update(rate_, Eigen::Vector3d::Zero(), 1.6 - 0.06 * i, kStep);
   EXPECT_LT(estimate_.value().x(), 0.026) << "the bound follows the mass";
 }
 
