@@ -22,6 +22,7 @@ class Judge {
         const PilotLimits& limits)
       : flight_(flight),
         vehicle_(vehicle),
+        hover_(vehicle),
         loop_(flight.scenario, vehicle, std::move(law), limits) {
     result_.seed = flight.seed;
     for (const DrawnFault& fault : flight.faults) result_.faults.push_back(fault.kind);
@@ -96,8 +97,8 @@ class Judge {
   bool hovers() const {
     const TimedPlant& plant = loop_.plant();
     const double mass = vehicle_.mass + plant.plant().payloadMass();
-    return canHover(vehicle_, plant.rotors(), plant.battery(),
-                    mass * kGravity - plant.disturbance().force.z());
+    return hover_.isPossible(plant.rotors(), plant.battery(),
+                             mass * kGravity - plant.disturbance().force.z());
   }
 
   void judge() {
@@ -129,6 +130,7 @@ class Judge {
 
   const FaultFlight& flight_;
   const Vehicle& vehicle_;
+  const Hover hover_;
   ClosedLoop loop_;
   FaultResult result_;
   std::size_t next_ = 0;  // order

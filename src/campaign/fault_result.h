@@ -23,7 +23,7 @@ enum class Verdict {
 };
 
 constexpr double kHardTouchDown = 1.5;  ///< [m/s]
-/// Physics left no choice where no hover was possible (see canHover()) within so long before the
+/// Physics left no choice where no hover was possible (see Hover) within so long before the
 /// vehicle was lost or touched down hard, in the air, and the rotors stand still in the end [s].
 constexpr double kAftermath = 3.0;
 

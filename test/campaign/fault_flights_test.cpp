@@ -94,16 +94,17 @@ TEST(FaultFlights, ThatCarryMoreThanTheRotorsLiftAreForcedDown) {
 TEST(Hover, IsPossibleWhileEachRotorCanGiveItsShare) {
   const Vehicle vehicle = test::pelican();
   const double most = vehicle.maxThrust();
+  const Hover hover(vehicle);
   std::vector<RotorCondition> rotors(vehicle.rotors.size());
-  EXPECT_TRUE(canHover(vehicle, rotors, 1.0, 0.999 * most));
-  EXPECT_FALSE(canHover(vehicle, rotors, 1.0, 1.001 * most));
-  EXPECT_TRUE(canHover(vehicle, rotors, 0.8, 0.639 * most));
-  EXPECT_FALSE(canHover(vehicle, rotors, 0.8, 0.641 * most));
+  EXPECT_TRUE(hover.isPossible(rotors, 1.0, 0.999 * most));
+  EXPECT_FALSE(hover.isPossible(rotors, 1.0, 1.001 * most));
+  EXPECT_TRUE(hover.isPossible(rotors, 0.8, 0.639 * most));
+  EXPECT_FALSE(hover.isPossible(rotors, 0.8, 0.641 * most));
   rotors[1].effectiveness = 0.5;
-  EXPECT_TRUE(canHover(vehicle, rotors, 1.0, 0.499 * most));
-  EXPECT_FALSE(canHover(vehicle, rotors, 1.0, 0.501 * most));
+  EXPECT_TRUE(hover.isPossible(rotors, 1.0, 0.499 * most));
+  EXPECT_FALSE(hover.isPossible(rotors, 1.0, 0.501 * most));
   rotors[1] = {1.0, 700.0, 1.0};
-  EXPECT_FALSE(canHover(vehicle, rotors, 1.0, 0.1 * most));
+  EXPECT_FALSE(hover.isPossible(rotors, 1.0, 0.1 * most));
 }
 
 TEST(FaultFlights, MarginsAreBetweenWhatIsBorneAndWhatIsNot) {
