@@ -1,5 +1,7 @@
 #include "adaptive_quadrotor_control/pilot/dead_reckoning.h"
 
+#include "adaptive_quadrotor_control/math/rotations.h"
+
 namespace aqc {
 namespace {
 
@@ -10,25 +12,9 @@ constexpr double kLargestGain = 0.02;      // [m/s]
 constexpr double kLargestTurn = 0.005;     // [rad]
 constexpr double kLargestForceBias = 1.0;  // [m/s^2]
 constexpr double kLargestRateBias = 0.1;   // [rad/s]
-constexpr double kSmallTurn = 2.5e-3;      // of half a turn's angle, squared: 0.05 rad
 
 Eigen::Vector3d within(const Eigen::Vector3d& vector, double most) noexcept {
   return vector.cwiseMax(-most).cwiseMin(most);
-}
-
-// The turn of a body that spins at `rate` for `dt` seconds.
-Eigen::Quaterniond turn(const Eigen::Vector3d& rate, double dt) noexcept {
-  const double squared = 0.25 * dt * dt * rate.squaredNorm();  // of half the angle
-  double cosine, scale;
-  if (squared < kSmallTurn) {  // series that are exact there, for the time of sines and cosines
-    cosine = 1.0 - squared / 2.0 * (1.0 - squared / 12.0 * (1.0 - squared / 30.0));
-    scale = 0.5 * dt * (1.0 - squared / 6.0 * (1.0 - squared / 20.0 * (1.0 - squared / 42.0)));
-  } else {
-    const double half = std::sqrt(squared);
-    cosine = std::cos(half);
-    scale = 0.5 * dt * std::sin(half) / half;
-  }
-  return {cosine, scale * rate.x(), scale * rate.y(), scale * rate.z()};
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_quadrotor_control/math/approach_speed.h"
+
 namespace aqc {
 
 // The motion of one axis, or of some together, towards a wanted one within bounds of speed,
@@ -96,18 +98,6 @@ bool isSlowAtWorst(const Vector<N>& v, const Vector<N>& a, const MotionBounds& b
   return partAtWorst<N>(v, a, bounds) <= allowed;
 }
 
-// A speed to approach with that is linear near the goal and brakes evenly further away.
-struct Approach {
-  double speed, slope;
-};
-
-inline Approach approach(double distance, double gain, double braking) noexcept {
-  const double linear = braking / (gain * gain);
-  if (distance <= linear) return {gain * distance, gain};
-  const double speed = std::sqrt(2.0 * braking * (distance - 0.5 * linear));
-  return {speed, braking / speed};
-}
-
 // Whether the wanted motion is one that the limits allow after the present one. What tells most
 // often that it is not comes first.
 template <int N>
@@ -150,8 +140,8 @@ void seek(const Motion<N>& now, const Vector<N>& v, const Motion<N>& wanted,
                               .cwiseMin(kFar);
   const double distance = length<N>(error);
   if (distance > 0.0) {
-    const Approach to_point =
-        approach(distance, bounds.gain, kBrakingReserve * bounds.acceleration);
+    const ApproachSpeed to_point =
+        approachSpeed(distance, bounds.gain, kBrakingReserve * bounds.acceleration);
     const Vector<N> drift = velocity - v;
     const Vector<N> direction = error / distance;
     const double turning = to_point.speed / distance;
@@ -178,7 +168,7 @@ Vector<N> sought(const Motion<N>& now, const Motion<N>& wanted, const MotionBoun
   const double size = length<N>(miss);
   const double gain = std::min(2.5 * bounds.gain, 0.5 / dt);
   if (size > 0.0) {
-    acceleration += miss * (approach(size, gain, kBrakingReserve * bounds.jerk).speed / size);
+    acceleration += miss * (approachSpeed(size, gain, kBrakingReserve * bounds.jerk).speed / size);
   }
   return within<N>(acceleration, bounds.acceleration);
 }

@@ -25,4 +25,21 @@ inline Eigen::Vector3d rollPitchYaw(const Eigen::Quaterniond& attitude) {
           std::atan2(R(1, 0), R(0, 0))};
 }
 
+/// The turn of a body that spins at `rate` [rad/s], in its own frame, for `dt` seconds: a unit
+/// quaternion.
+inline Eigen::Quaterniond turn(const Eigen::Vector3d& rate, double dt) noexcept {
+  constexpr double kSmall = 2.5e-3;  // of half the angle, squared: 0.05 rad
+  const double squared = 0.25 * dt * dt * rate.squaredNorm();  // of half the angle
+  double cosine, scale;
+  if (squared < kSmall) {  // series that are exact there, for the time of sines and cosines
+    cosine = 1.0 - squared / 2.0 * (1.0 - squared / 12.0 * (1.0 - squared / 30.0));
+    scale = 0.5 * dt * (1.0 - squared / 6.0 * (1.0 - squared / 20.0 * (1.0 - squared / 42.0)));
+  } else {
+    const double half = std::sqrt(squared);
+    cosine = std::cos(half);
+    scale = 0.5 * dt * std::sin(half) / half;
+  }
+  return {cosine, scale * rate.x(), scale * rate.y(), scale * rate.z()};
+}
+
 }  // namespace aqc

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_quadrotor_control/math/approach_speed.h"
+
 namespace aqc {
 namespace {
 
@@ -14,15 +16,9 @@ struct Point {
 };
 
 Point at(double r, const Approach& approach) noexcept {
-  const double end = approach.braking / (approach.slope * approach.slope);
-  if (r <= end) {
-    const double value = approach.slope * r;
-    if (value <= approach.speed) return {value, approach.slope, true};
-    return {approach.speed, 0.0, false};
-  }
-  const double value = std::sqrt(approach.braking * (2.0 * r - end));
-  if (value > approach.speed) return {approach.speed, 0.0, false};
-  return {value, approach.braking / value, false};
+  const ApproachSpeed phi = approachSpeed(r, approach.slope, approach.braking);
+  if (phi.speed > approach.speed) return {approach.speed, 0.0, false};
+  return {phi.speed, phi.slope, r <= approach.braking / (approach.slope * approach.slope)};
 }
 
 }  // namespace

@@ -1,19 +1,8 @@
 #include "adaptive_quadrotor_control/law/composite/prediction.h"
 
-#include <cmath>
+#include "adaptive_quadrotor_control/math/rotations.h"
 
 namespace aqc {
-namespace {
-
-// A turn about a fixed axis by `angle` [rad].
-Eigen::Quaterniond turned(const Eigen::Vector3d& angle) noexcept {
-  const double half = 0.5 * angle.norm();
-  const double scale = half > 1e-9 ? 0.5 * std::sin(half) / half : 0.5;
-  return {std::cos(half), scale * angle.x(), scale * angle.y(), scale * angle.z()};
-}
-
-}  // namespace
-
 Eigen::Vector3d predictedRate(const MomentObserver& observer, const AppliedWrench& applied,
                               const Eigen::Vector3d& inertia, double age) noexcept {
   if (age <= 0.0) return observer.rate();
@@ -30,11 +19,11 @@ Eigen::Quaterniond predictedAttitude(const Eigen::Quaterniond& measured,
   const double age = ages.pose;
   if (age <= 0.0) return measured;
   const AppliedWrench::Impulse pose = applied.since(age);
-  Eigen::Vector3d turn = pose.turn + age * (ages.body_rate - 0.5 * age) * observer.moment();
+  Eigen::Vector3d impulse = pose.turn + age * (ages.body_rate - 0.5 * age) * observer.moment();
   if (age != ages.body_rate) {
-    turn += age * (applied.since(ages.body_rate).moment - pose.moment);
+    impulse += age * (applied.since(ages.body_rate).moment - pose.moment);
   }
-  return measured * turned(age * observer.rate() + turn.cwiseQuotient(inertia));
+  return measured * turn(age * observer.rate() + impulse.cwiseQuotient(inertia), 1.0);
 }
 
 }  // namespace aqc
