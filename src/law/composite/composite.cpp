@@ -6,15 +6,11 @@
 
 #include "adaptive_quadrotor_control/law/composite/prediction.h"
 #include "adaptive_quadrotor_control/law/saturation.h"
-#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "law/composite/within.h"
-#include "law/gain_ranges.h"
 
 namespace aqc {
 namespace {
 
-constexpr double kThrustShare = 0.98;   // of full thrust: the rest is for moments
-constexpr double kLeastLift = 1e-3;     // [N]; the law itself never asks for so little
 constexpr double kLongest = 0.05;       // [s]: over longer steps nothing is observed
 constexpr double kOldest = 0.2;         // [s]: nothing is predicted further
 constexpr double kFarthest = 1e3;       // of errors and rates: nobody flies there
@@ -26,8 +22,6 @@ constexpr double kSidewaysShare = 0.7;  // of the acceleration that the thrust l
 constexpr double kDownwardShare = 0.8;
 constexpr double kLeastSideways = 0.3;  // [m/s^2]
 constexpr double kLeastDownward = 0.2;
-const Range kLead = Range::between(1.0, 100.0);
-const Range kSpeed = Range::positiveUpTo(1e3);
 
 // Sideways by the norm, and by itself the height.
 Eigen::Vector3d bounded(const Eigen::Vector3d& vector, double most) noexcept {
@@ -35,31 +29,6 @@ Eigen::Vector3d bounded(const Eigen::Vector3d& vector, double most) noexcept {
   Eigen::Vector3d result;
   result << vector.head<2>() * (most / side), std::clamp(vector.z(), -most, most);
   return result;
-}
-
-Approach readApproach(const ParameterReader& reader, std::size_t which) {
-  const auto read = [&](const char* key, const char* symbol, const char* unit, const char* words,
-                        const Range& range) {
-    return reader.numbers({key, symbol, unit, words, {"sideways", "height"}}, 2, range)[which];
-  };
-  return {
-      read("slope", "Phi_p", "1/s", "how fast a small error decays on the sliding surface", kDecay),
-      read("braking", "a", "m/s^2", "strongest braking of an approach, where the motors have it",
-           kSpeed),
-      read("speed", "v", "m/s", "fastest approach of a set point", kSpeed)};
-}
-
-// Two numbers, the first one for x and y.
-Eigen::Vector3d readPair(const ParameterReader& reader, ParameterKey key,
-                         std::vector<std::string> entries) {
-  key.entries = std::move(entries);
-  const std::vector<double> pair = reader.numbers(key, 2, kDecay);
-  return {pair[0], pair[0], pair[1]};
-}
-
-AdaptiveGain readGain(const ParameterReader& reader, const char* symbol, const char* gain) {
-  return AdaptiveGain(
-      0.0, reader.number({"leak", symbol, "1/s", std::string("forgetting of ") + gain}, kDecay));
 }
 
 template <std::size_t Count>
@@ -86,53 +55,7 @@ Ages agesOf(const Ages& ages) noexcept {
   return {limited(ages.pose), limited(ages.body_rate), limited(ages.specific_force)};
 }
 
-const std::vector<std::string> kPositionEntries = {"sideways", "height"};
-const std::vector<std::string> kTurnEntries = {"tilt", "yaw"};
-
 }  // namespace
-
-Composite::Composite(const ParameterReader& reader, const Vehicle& vehicle)
-    : rotor_lead_(reader.number(
-          {"rotor_lead", "kappa", "", "how far rotors are told to go, in ways to their place"},
-          kLead)),
-      tilt_(reader.angle({"max_tilt_deg", "", "deg", "largest tilt commanded"},
-                         Range::positiveUpTo(89.0)),
-            kLeastLift),
-      sideways_(readApproach(reader.child("position"), 0)),
-      vertical_(readApproach(reader.child("position"), 1)),
-      gain_(readPair(reader.child("position"),
-                     {"gain", "lambda_p", "1/s", "damping towards the surface"}, kPositionEntries)),
-      boundary_layer_(
-          reader.child("position")
-              .number({"boundary_layer", "varpi_p", "m/s", "smooths sgn(s); smaller is stiffer"},
-                      kLayer)),
-      bias_drive_(readPair(
-          reader.child("position"),
-          {"bias_drive", "gamma", "1/s^2", "how fast what is left beside the surface is learned"},
-          kPositionEntries)),
-      turn_slope_(
-          readPair(reader.child("attitude"),
-                   {"slope", "Phi_q", "1/s", "how fast the error decays on the sliding surface"},
-                   kTurnEntries)),
-      turn_gain_(readPair(reader.child("attitude"),
-                          {"gain", "lambda_q", "1/s", "damping towards the surface"},
-                          kTurnEntries)),
-      turn_boundary_layer_(
-          reader.child("attitude")
-              .number({"boundary_layer", "varpi_q", "rad/s", "smooths sgn(s); smaller is stiffer"},
-                      kLayer)),
-      rotor_time_(0.5 * (vehicle.time_constant_up + vehicle.time_constant_down)),
-      share_(kThrustShare * vehicle.maxThrust(), 1.0 / tilt_.least_ratio),
-      mass_(reader.child("estimates"), vehicle),
-      moment_(reader.child("estimates"), vehicle),
-      inertia_(reader.child("estimates"), vehicle),
-      gains_{readGain(reader.child("position"), "alpha_p", "K_p"),
-             readGain(reader.child("position"), "alpha_p", "K_p")},
-      turn_gains_{readGain(reader.child("attitude"), "alpha_q", "K_q"),
-                  readGain(reader.child("attitude"), "alpha_q", "K_q"),
-                  readGain(reader.child("attitude"), "alpha_q", "K_q")} {
-  report();
-}
 
 Wrench Composite::command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept {
   sense(sensed, dt);
@@ -237,8 +160,7 @@ Eigen::Vector3d Composite::moment(const Motion& now, const Pushed& pushed,
   // What turns z_d as the force turns: omega_d = z_d x h.
   const Eigen::Vector3d turning =
       within(pushed.jerk, kFarthest) * (mass_.mass() / pushed.force.norm());
-  Eigen::Vector3d turn = z.cross(turning);
-  turn *= kMostTurn / std::max(turn.norm(), kMostTurn);
+  const Eigen::Vector3d turn = within(z.cross(turning), kMostTurn);
   AttitudeErrors errors = attitudeErrors(now.state, desired, set_point.yaw_rate);
   errors.rate -= now.attitude.transpose() * turn;
 
@@ -283,7 +205,7 @@ void Composite::learnBias(double dt) noexcept {
   const Eigen::Vector3d drive = bias_drive_.cwiseProduct(outer_.sliding) - kBiasLeak * bias_;
   if (outer_.learns_sideways) bias_.head<2>() += dt * drive.head<2>();
   if (outer_.learns_vertically) bias_.z() += dt * drive.z();
-  bias_ *= kMostBias / std::max(bias_.norm(), kMostBias);
+  bias_ = within(bias_, kMostBias);
 }
 
 void Composite::reset() noexcept {
