@@ -1,5 +1,5 @@
 # Precompiled headers. Eigen, roscpp and gtest take longer to read than most of our files take to
-# compile: with them a whole build needs half the time. Off unless asked for (the scripts do), since
+# compile. Off unless asked for (the scripts do), since
 # a compiler cache shares less of what is built so; no file relies on them.
 option(AQC_PRECOMPILED_HEADERS "Read Eigen, roscpp and gtest once for each target" OFF)
 
