@@ -112,6 +112,15 @@ TEST_F(GuardTest, OperatorMayNotArmWhatMovesOrIsTilted) {
   EXPECT_EQ(guard_.arm(), nullptr);
 }
 
+TEST_F(GuardTest, OperatorMayNotArmALawThatIsUnfit) {
+  step();
+  guard_.judgeLaw("it is unfit");
+  EXPECT_STREQ(guard_.arm(), "it is unfit");
+  EXPECT_EQ(guard_.mode(), Mode::kDisarmed);
+  guard_.judgeLaw(nullptr);
+  EXPECT_EQ(guard_.arm(), nullptr);
+}
+
 TEST_F(GuardTest, ArmedRotorsIdleAndDisarmedOnesStand) {
   limits_.idle_speed = 120.0;
   guard_ = Guard(limits_, kMaxThrust);
@@ -287,6 +296,26 @@ TEST_F(GuardTest, LawNotFiniteForgetsAndLands) {
   EXPECT_EQ(guard_.rule(), Rule::kLawNotFinite);
 }
 
+TEST_F(GuardTest, RotorLossLands) {
+  takeOff();
+  now_.missing_rotors = limits_.rotor_loss - 0.01;
+  stepFor(2.0 * limits_.rotor_loss_time);
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+  now_.missing_rotors = limits_.rotor_loss + 0.01;
+  stepFor(0.5 * limits_.rotor_loss_time);
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+  EXPECT_NEAR(until(Mode::kLanding), 0.5 * limits_.rotor_loss_time, 2.0 * kStep);
+  EXPECT_EQ(guard_.rule(), Rule::kRotorLoss);
+}
+
+TEST_F(GuardTest, MomentsOfTheGroundAreNoRotorLoss) {
+  takeOff();
+  now_.missing_rotors = 2.0 * limits_.rotor_loss;
+  state_.position.z() = 0.25;
+  stepFor(2.0 * limits_.rotor_loss_time);
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+}
+
 TEST_F(GuardTest, NoLiftOffDisarmsAndDoesNotTryAgainByItself) {
   limits_.auto_arm = true;
   guard_ = Guard(limits_, kMaxThrust);
@@ -328,6 +357,49 @@ TEST_F(GuardTest, TippedOverCountsOnlyCloseToTheGround) {
   state_.position.z() = 0.2;
   EXPECT_NEAR(until(Mode::kDisarmed), limits_.tip_time, 2.0 * kStep);
   expectDisarmed(Rule::kTipped);
+}
+
+TEST_F(GuardTest, TippedOverBeforeLiftOffNeedsLess) {
+  const double slope = 0.2;
+  tilt(slope);
+  step();
+  ASSERT_EQ(guard_.arm(), nullptr);
+  tilt(slope + limits_.tip_tilt / 3.0 + 0.01);
+  stepFor(limits_.tip_time);
+  EXPECT_EQ(guard_.mode(), Mode::kArmed) << "whoever lifts an idle vehicle may tilt it";
+  ASSERT_EQ(guard_.takeOff(), nullptr);
+  tilt(slope + limits_.tip_tilt / 3.0 - 0.01);
+  stepFor(limits_.tip_time);
+  EXPECT_EQ(guard_.mode(), Mode::kTakingOff);
+  tilt(slope + limits_.tip_tilt / 3.0 + 0.01);
+  EXPECT_NEAR(until(Mode::kDisarmed), limits_.tip_time / 6.0, 2.0 * kStep);
+  expectDisarmed(Rule::kTipped);
+}
+
+TEST_F(GuardTest, OdometryLostAtSpeedBrakesBeforeItSinks) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  state_.velocity.x() = 2.0;
+  const double height = step().set_point->position.z();
+  ASSERT_EQ(guard_.mode(), Mode::kDescending);
+  stepFor(1.4);
+  EXPECT_NEAR(step().set_point->position.z(), height, 0.01);
+  stepFor(0.6);
+  EXPECT_LT(step().set_point->velocity.z(), -0.1) << "whatever the speed";
+}
+
+TEST_F(GuardTest, OdometryLostForLongSinksFaster) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  const double way_down = state_.position.z() / limits_.descent_speed;
+  followFor(way_down - 0.5);
+  ASSERT_EQ(guard_.mode(), Mode::kDescending);
+  EXPECT_NEAR(-guard_.goal().velocity.z(), limits_.descent_speed, 1e-9);
+  followFor(1.5);
+  EXPECT_NEAR(-guard_.goal().velocity.z(), limits_.descent_speed + 0.2, 0.02);
+  followFor(3.0);
+  EXPECT_EQ(guard_.mode(), Mode::kDescending);
+  EXPECT_NEAR(-guard_.goal().velocity.z(), 2.0 * limits_.descent_speed, 1e-9);
 }
 
 TEST_F(GuardTest, TumbleDisarmsAtAnyHeight) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/simulation/random.h"
 #include "support/guarded_flight.h"
 
@@ -252,6 +253,55 @@ TEST(GuardedFault, AnImuSampleRefusedForItsStampIsNotFelt) {
   EXPECT_EQ(flight.pilot().droppedOdometry(), 0u) << "nobody doubts it for what was refused";
   EXPECT_EQ(flight.mode(), Mode::kHolding);
   EXPECT_NEAR(flight.height(), 1.1, 0.1);
+}
+
+// Less than a new start of the clock: odometry is late until it has caught up, and all that tells
+// the attitude of a turning vehicle is the IMU, whose stamps went back, too.
+TEST(GuardedFault, AnImuWhoseClockIsSetBackIsFeltAllTheSame) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(6.0, 0.0, 3.0);
+  flight.fly(0.6);
+  flight.imu_offset = -925'000'000;
+  flight.odometry = [](State&, Nanoseconds& stamp, Nanoseconds&) {
+    stamp -= 925'000'000;
+    return true;
+  };
+  flight.plant().setDisturbance({{}, {0.3, 0.0, 0.0}});
+  flight.fly(0.2);
+  flight.plant().setDisturbance({});
+  double up = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    flight.fly(0.1);
+    up = std::min(up, uprightness(flight.plant().state().attitude));
+  }
+  EXPECT_GT(up, 0.8);
+  EXPECT_EQ(flight.pilot().imu().dropped(), ImuMonitor::kConfirmations - 1);
+  EXPECT_EQ(flight.mode(), Mode::kHolding);
+  EXPECT_LT(flight.speed(), 0.2);
+}
+
+TEST(GuardedFault, NobodyTouchesTheGroundAtSpeedForLackOfOdometry) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(30.0, 0.0, 0.0);
+  flight.fly(5.0);
+  EXPECT_GT(flight.speed(), 2.5);
+  flight.odometry = nothing;
+  while (!flight.plant().touching()) flight.fly(0.02);
+  EXPECT_LT(flight.plant().state().velocity.head<2>().norm(), 1.0);
+  flight.fly(4.0);
+  expectLanded(flight);
+}
+
+// It feels less than there is, believes to fall, and climbs in truth.
+TEST(GuardedFault, ABiasThatIsNotKnownMakesNoDescentAClimb) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.odometry = nothing;
+  flight.force_bias.z() = -0.12;
+  flight.fly(14.0);
+  expectLanded(flight);
 }
 
 }  // namespace
