@@ -236,6 +236,51 @@ TEST_F(GuardTest, SourceResetMovesTheReferenceWithTheEstimate) {
   EXPECT_LT((step().set_point->position - before - Eigen::Vector3d(3.0, 0.0, -0.2)).norm(), 0.02);
 }
 
+TEST_F(GuardTest, SourceResetInALandingGoesOnLanding) {
+  takeOff();
+  ASSERT_EQ(guard_.land(), nullptr);
+  followFor(0.5);
+  State said = state_;
+  said.position.z() += 2.0;
+  guard_.sourceReset(state_, said);
+  EXPECT_EQ(guard_.mode(), Mode::kLanding);
+  EXPECT_EQ(guard_.rule(), Rule::kSourceReset);
+}
+
+TEST_F(GuardTest, ClockStepChangesNoDescent) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  step();
+  guard_.clockStepped();
+  EXPECT_EQ(guard_.mode(), Mode::kDescending);
+  EXPECT_EQ(guard_.rule(), Rule::kOdometryLost);
+}
+
+TEST_F(GuardTest, AHoldDoesNotTurnBack) {
+  takeOff();
+  plan({30.0, 0.0, 1.0});
+  followFor(2.5);
+  ASSERT_GT(state_.velocity.x(), 2.0);
+  guard_.hold();
+  for (int i = 0; i < 500; ++i) {
+    follow(step());
+    ASSERT_GT(state_.velocity.x(), -0.01);
+  }
+  EXPECT_LT(state_.velocity.norm(), 0.01);
+}
+
+TEST_F(GuardTest, TakenOffIsWhoIsCloseToTheTop) {
+  step();
+  guard_.arm();
+  guard_.takeOff();
+  state_.position.z() = limits_.take_off_height - 0.11;
+  step();
+  EXPECT_EQ(guard_.mode(), Mode::kTakingOff);
+  state_.position.z() = limits_.take_off_height - 0.09;
+  step();
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+}
+
 TEST_F(GuardTest, ClockStepEndsPlansInTheAirAndDisarmsOnTheGround) {
   step();
   ASSERT_EQ(guard_.arm(), nullptr);
@@ -421,6 +466,15 @@ TEST_F(GuardTest, BlindEndComesWhenItMustBeDown) {
   const double time = until(Mode::kDisarmed);
   EXPECT_GT(time, way_down);
   EXPECT_LT(time, way_down + 5.0);
+  expectDisarmed(Rule::kBlindEnd);
+}
+
+TEST_F(GuardTest, BlindEndWaitsForAnImuToFeelTheGround) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  step();
+  const double patience = 1.5 * (3.0 + state_.position.z() / limits_.descent_speed);
+  EXPECT_NEAR(until(Mode::kDisarmed), patience, 0.1);
   expectDisarmed(Rule::kBlindEnd);
 }
 
