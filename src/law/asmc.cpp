@@ -112,8 +112,9 @@ void Asmc::Loop<Count>::adopt(const Loop& old) noexcept {
 
 template <std::size_t Count>
 bool Asmc::Loop<Count>::finite() const noexcept {
-  return std::all_of(gains_.begin(), gains_.end(),
-                     [](const AdaptiveGain& gain) { return std::isfinite(gain.value()); });
+  double none = 0.0;
+  for (const AdaptiveGain& gain : gains_) none += 0.0 * gain.value();
+  return none == 0.0;
 }
 
 Asmc::Asmc(const ParameterReader& reader)

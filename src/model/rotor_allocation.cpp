@@ -54,7 +54,8 @@ bool RotorAllocation::wellPosed() const {
 }
 
 Wrench RotorAllocation::wrench(const RotorArray& speeds) const noexcept {
-  const Eigen::Vector4d u = forward_ * speeds.cwiseAbs2();
+  Eigen::Vector4d u = Eigen::Vector4d::Zero();
+  for (Eigen::Index i = 0; i < speeds.size(); ++i) u += forward_.col(i) * (speeds[i] * speeds[i]);
   return {u[0], u.tail<3>()};
 }
 

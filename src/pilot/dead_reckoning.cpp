@@ -29,18 +29,16 @@ void DeadReckoning::feel(const Eigen::Vector3d& specific_force,
   felt_ = true;
 }
 
-void DeadReckoning::correct(const State& state) noexcept {
+void DeadReckoning::correct(const State& state, const Innovation& innovation) noexcept {
   if (!felt_) return restart(state);
-  Eigen::Quaterniond apart = state_.attitude.conjugate() * state.attitude;
-  if (apart.w() < 0.0) apart.coeffs() *= -1.0;
-  const Eigen::Vector3d turned = 2.0 * apart.vec();
-  const Eigen::Vector3d gained = state.velocity - state_.velocity;
+  const Eigen::Vector3d& turned = innovation.turned;
+  const Eigen::Vector3d& gained = innovation.velocity;
   const Eigen::Vector3d felt = state_.attitude.conjugate() * within(gained, kLargestGain);
   force_bias_ = within(force_bias_ - kBiasGain * felt, kLargestForceBias);
   rate_bias_ = within(rate_bias_ - kBiasGain * within(turned, kLargestTurn), kLargestRateBias);
-  state_.position += kGain * (state.position - state_.position);
+  state_.position += kGain * innovation.position;
   state_.velocity += kGain * gained;
-  state_.attitude = (state_.attitude * turn(turned, kGain)).normalized();
+  state_.attitude = state_.attitude * turn(turned, kGain);
 }
 
 void DeadReckoning::advance(const Wrench& given, double mass, double dt) noexcept {
@@ -56,7 +54,8 @@ void DeadReckoning::advance(const Wrench& given, double mass, double dt) noexcep
       state_.attitude * specific_force - kGravity * Eigen::Vector3d::UnitZ();
   state_.position += dt * state_.velocity + 0.5 * dt * dt * acceleration;
   state_.velocity += dt * acceleration;
-  state_.attitude = (state_.attitude * turn(state_.body_rate, dt)).normalized();
+  state_.attitude = state_.attitude * turn(state_.body_rate, dt);
+  keepUnit(state_.attitude);
 }
 
 }  // namespace aqc

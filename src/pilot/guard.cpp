@@ -9,8 +9,15 @@
 namespace aqc {
 namespace {
 
-constexpr double kSlow = 0.5;     // [m/s]: slow enough to touch down
-constexpr double kBraking = 4.0;  // [s], at the most until a landing sinks
+constexpr double kRock = 1.0 / 3.0;  // part of tip_tilt that is too much before lift-off
+constexpr double kSlow = 0.5;        // [m/s]: slow enough to touch down
+constexpr double kBraking = 4.0;     // [s], at the most until a landing sinks
+// Without odometry speeds are not known for so long.
+constexpr double kBlindBraking = 1.5;  // [s]
+// What is not known of an accelerometer's bias must not let a descent end in a climb: late, it
+// sinks faster and faster, to some times the descent's speed.
+constexpr double kHurry = 0.2;  // [m/s^2]
+constexpr double kHaste = 2.0;
 
 }  // namespace
 
@@ -18,6 +25,8 @@ Guard::Guard(const GuardLimits& limits, double max_thrust)
     : limits_(limits),
       max_thrust_(max_thrust),
       governor_(limits.governor),
+      least_up_{std::cos(limits.tumble_tilt), std::cos(limits.tip_tilt),
+                std::cos(kRock * limits.tip_tilt)},
       ground_(limits.ground) {}
 
 void Guard::enter(Mode mode, Rule rule) noexcept {
@@ -25,19 +34,22 @@ void Guard::enter(Mode mode, Rule rule) noexcept {
   rule_ = rule;
   if (mode == mode_) return;
   mode_ = mode;
-  mode_time_ = 0.0;
-  lagging_ = overloaded_ = saturated_ = standing_ = {};
+  mode_time_ = sunk_ = 0.0;
+  lagging_ = overloaded_ = saturated_ = failing_ = standing_ = {};
   if (!armed()) airborne_ = false;
 }
 
 const char* Guard::arm() noexcept {
   if (mode_ == Mode::kKilled) return "it was killed; start the controller again";
   if (armed()) return "it is armed already";
+  if (unfit_ != nullptr) return unfit_;
   if (!located_) return "there is no odometry";
   if (state_.velocity.norm() > 0.5) return "the vehicle moves";
   if (tilt(state_) > limits_.tip_tilt) return "the vehicle is tilted";
   stood_at_ = state_.position.z();
   place_ = standing(state_);
+  // From whatever slope it stands on.
+  least_up_.standing = std::cos(tilt(state_) + kRock * limits_.tip_tilt);
   crashed_ = false;
   enter(Mode::kArmed, Rule::kOperator);
   return nullptr;
@@ -142,8 +154,20 @@ void Guard::planReleased() noexcept {
   if (mode_ == Mode::kFlying) brake(Rule::kOperator);
 }
 
-SetPoint Guard::wanted(const Situation& now) noexcept {
-  SetPoint wanted = place_;
+// Whether a landing or a descent is still too fast over the ground to sink.
+bool Guard::brakesFirst() const noexcept {
+  const double longest = mode_ == Mode::kDescending ? kBlindBraking : kBraking;
+  return mode_time_ < longest && state_.velocity.head<2>().norm() > kSlow;
+}
+
+double Guard::blindSinking() const noexcept {
+  const double late = std::max(0.0, sunk_ - wayDown() / limits_.descent_speed);
+  return std::min(limits_.descent_speed + kHurry * late, kHaste * limits_.descent_speed);
+}
+
+void Guard::aim(const Situation& now) noexcept {
+  SetPoint& wanted = goal_;
+  wanted = mode_ == Mode::kFlying ? *now.planned : place_;
   const auto sink = [&](double speed) {
     wanted.position.z() = governor_.setPoint().position.z() - speed * now.dt;
     wanted.velocity.z() = -speed;
@@ -154,7 +178,6 @@ SetPoint Guard::wanted(const Situation& now) noexcept {
     wanted.position.z() = std::min(top, next);
     if (next < top) wanted.velocity.z() = limits_.take_off_speed;
   } else if (mode_ == Mode::kFlying) {
-    wanted = *now.planned;
     if (now.plan_ended) {
       wanted.velocity.setZero();
       wanted.acceleration.setZero();
@@ -162,12 +185,10 @@ SetPoint Guard::wanted(const Situation& now) noexcept {
       wanted.yaw_rate = wanted.yaw_acceleration = 0.0;
     }
   } else if (mode_ == Mode::kDescending) {
-    sink(limits_.descent_speed);
+    sink(brakesFirst() ? 0.0 : blindSinking());
   } else if (mode_ == Mode::kLanding) {
-    const bool brakes = mode_time_ < kBraking && state_.velocity.head<2>().norm() > kSlow;
-    sink(brakes ? 0.0 : limits_.landing_speed);
+    sink(brakesFirst() ? 0.0 : limits_.landing_speed);
   }
-  return wanted;
 }
 
 Finding Guard::judge() const {
@@ -202,6 +223,7 @@ Decision Guard::step(const Situation& now) noexcept {
     watchOdometry(now);
     watchAttitude(now);
     watchLift(now);
+    watchRotors(now);
     watchPlan(now);
     progress(now);
   }
@@ -210,7 +232,7 @@ Decision Guard::step(const Situation& now) noexcept {
   if (mode_ == Mode::kArmed) decision.idle = limits_.idle_speed;
   if (!flies()) return decision;
   const double thrust_to_weight = max_thrust_ / (std::max(now.mass, 1e-3) * kGravity);
-  goal_ = wanted(now);
+  aim(now);
   decision.set_point = &governor_.follow(goal_, state_.position, thrust_to_weight, floor(), now.dt);
   decision.learn = mayLearn(now);
   decision.stands = mode_ == Mode::kDescending && standing_.time >= kSettling;

@@ -61,6 +61,8 @@ GuardLimits readGuardLimits(const ParameterReader& reader) {
   readPositive(reader, "overload", limits.overload);
   readPositive(reader, "overload_time", limits.overload_time);
   readPositive(reader, "saturation_time", limits.saturation_time);
+  readPositive(reader, "rotor_loss", limits.rotor_loss);
+  readPositive(reader, "rotor_loss_time", limits.rotor_loss_time);
   readPositive(reader, "lag", limits.lag);
   return limits;
 }

@@ -2,8 +2,8 @@
 
 namespace aqc {
 
-const std::array<RuleText, 21>& guardRules() noexcept {
-  static constexpr std::array<RuleText, 21> kRules = {{
+const std::array<RuleText, 22>& guardRules() noexcept {
+  static constexpr std::array<RuleText, 22> kRules = {{
       {Rule::kNone, "none", "nothing has happened", "disarmed"},
       {Rule::kOperator, "operator", "a service was called", "what it asks for"},
       {Rule::kAutoArm, "auto arm", "`auto_arm`, and a set point asks for height", "arm, take off"},
@@ -30,9 +30,17 @@ const std::array<RuleText, 21>& guardRules() noexcept {
        "no thrust left and below the set point for `saturation_time`", "land"},
       {Rule::kLawNotFinite, "law not finite", "what the law learned is not finite",
        "it forgets, land"},
+      {Rule::kRotorLoss, "rotor loss",
+       "in the air a moment about x and y that no rotor should give, over `rotor_loss` of a "
+       "hovering "
+       "rotor's for `rotor_loss_time`",
+       "land"},
       {Rule::kNoLiftOff, "no lift-off", "not 5 cm up within `lift_off_time`", "disarm"},
       {Rule::kTouchDown, "touch-down", "landing, and no sinking for `touch_down_time`", "disarm"},
-      {Rule::kTipped, "tipped over", "close to the ground and tilted by `tip_tilt` for `tip_time`",
+      {Rule::kTipped, "tipped over",
+       "close to the ground and tilted by `tip_tilt` for `tip_time`; a third of it for a sixth of "
+       "the "
+       "time before lift-off",
        "disarm"},
       {Rule::kTumble, "tumble", "tilted by `tumble_tilt` for `tumble_time`", "disarm"},
       {Rule::kBlindEnd, "blind end", "descended blindly long enough to be down", "disarm"},

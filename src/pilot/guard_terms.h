@@ -19,8 +19,7 @@ inline double yaw(const Eigen::Quaterniond& attitude) noexcept {
 }
 
 inline double tilt(const State& state) noexcept {
-  const double up = (state.attitude * Eigen::Vector3d::UnitZ()).z();
-  return std::acos(std::clamp(up, -1.0, 1.0));
+  return std::acos(std::clamp(uprightness(state.attitude), -1.0, 1.0));
 }
 
 inline SetPoint standing(const State& state) noexcept {

@@ -10,6 +10,7 @@ namespace aqc {
 namespace {
 
 constexpr double kLiftedOff = 0.05;     // [m] above where it stood
+constexpr double kRocking = 1.0 / 6.0;  // part of tip_time that suffices before lift-off
 constexpr double kStill = 0.1;          // [m/s]: does not sink
 constexpr double kSmoothing = 0.3;      // [s], of a vertical velocity that may be noisy
 constexpr double kSupport = 0.25;       // part of the weight that only the ground can hold up
@@ -58,10 +59,13 @@ void Guard::watchOdometry(const Situation& now) noexcept {
 }
 
 void Guard::watchAttitude(const Situation& now) noexcept {
-  const double tilt = aqc::tilt(state_);
+  const double up = uprightness(state_.attitude);
   const bool near = state_.position.z() < stood_at_ + kNear;
-  const bool tumbled = tumbling_.update(tilt > limits_.tumble_tilt, now.dt, limits_.tumble_time);
-  const bool tipped = tipped_.update(near && tilt > limits_.tip_tilt, now.dt, limits_.tip_time);
+  const bool rocks = mode_ == Mode::kTakingOff && !airborne_ && up < least_up_.standing;
+  const bool tumbled = tumbling_.update(up < least_up_.flying, now.dt, limits_.tumble_time);
+  const bool lies = tipped_.update(near && up < least_up_.near, now.dt, limits_.tip_time);
+  const bool rocked = rocking_.update(rocks, now.dt, kRocking * limits_.tip_time);
+  const bool tipped = lies || rocked;
   if (!armed() || !(tumbled || tipped)) return;
   crashed_ = true;
   enter(Mode::kDisarmed, tumbled ? Rule::kTumble : Rule::kTipped);
@@ -81,6 +85,16 @@ void Guard::watchLift(const Situation& now) noexcept {
   }
 }
 
+// The ground, too, gives moments that no rotor gives.
+void Guard::watchRotors(const Situation& now) noexcept {
+  const bool flies =
+      airborne() && mode_ != Mode::kDescending && state_.position.z() > stood_at_ + kNear;
+  const bool fails = flies && now.missing_rotors > limits_.rotor_loss;
+  if (!failing_.update(fails, now.dt, limits_.rotor_loss_time)) return;
+  if (mode_ != Mode::kLanding) restAhead();
+  enter(Mode::kLanding, Rule::kRotorLoss);
+}
+
 void Guard::watchPlan(const Situation& now) noexcept {
   if (mode_ == Mode::kHolding && plan_is_new_ && now.planned != nullptr) {
     enter(Mode::kFlying, Rule::kSetPoint);
@@ -88,8 +102,9 @@ void Guard::watchPlan(const Situation& now) noexcept {
   if (mode_ != Mode::kFlying) return;
   plan_is_new_ = false;
   const bool old = limits_.set_point_age > 0.0 && now.plan_age > limits_.set_point_age;
-  const double lead = (governor_.setPoint().position - state_.position).norm();
-  const bool lagging = lagging_.update(lead > 0.95 * limits_.governor.lead, now.dt, limits_.lag);
+  const double lead = (governor_.setPoint().position - state_.position).squaredNorm();
+  const double longest = 0.95 * limits_.governor.lead;
+  const bool lagging = lagging_.update(lead > longest * longest, now.dt, limits_.lag);
   if (now.planned == nullptr || old) {
     brake(Rule::kSetPointOld);
   } else if (lagging) {
@@ -116,6 +131,7 @@ void Guard::progress(const Situation& now) noexcept {
   }
   const bool blind = mode_ == Mode::kDescending;
   if (mode_ != Mode::kLanding && !blind) return;
+  if (!brakesFirst()) sunk_ += now.dt;
   const bool above = governor_.setPoint().position.z() < state_.position.z() - 0.2;
   const bool stands = blind ? now.support > kSupport : above && std::abs(climbing_) < kStill;
   const bool stood = standing_.update(stands, now.dt, limits_.touch_down_time);
@@ -137,9 +153,13 @@ void Guard::settle() noexcept {
 
 // The time for the way down is over; an IMU would feel the ground, and is waited for.
 bool Guard::mustBeDown(const Situation& now) const noexcept {
-  const double way = (place_.position.z() - ground_) / limits_.descent_speed;
-  const double time = kBlindReserve + std::max(way, 0.0);
-  return mode_time_ > (now.feels ? kBlindPatience * time : time);
+  const double time = kBlindReserve + wayDown() / limits_.descent_speed;
+  return sunk_ > (now.feels ? kBlindPatience * time : time);
+}
+
+// From where odometry was lost [m].
+double Guard::wayDown() const noexcept {
+  return std::max(0.0, place_.position.z() - ground_);
 }
 
 // All the thrust there is, and it does not suffice.

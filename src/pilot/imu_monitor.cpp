@@ -2,12 +2,20 @@
 
 namespace aqc {
 
+// Whether a sample that is older than the one before is of a clock that was set back.
+bool ImuMonitor::wasSetBack(Nanoseconds time) noexcept {
+  late_ = late_ > 0 && time >= late_time_ ? late_ + 1 : 1;
+  late_time_ = time;
+  return late_ >= kConfirmations;
+}
+
 bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept {
   const bool late = started_ && time < time_ && !startedAnew(time_, time, new_start_);
-  if (!specific_force.allFinite() || late) {
+  if (!specific_force.allFinite() || (late && !wasSetBack(time))) {
     ++dropped_;
     return false;
   }
+  late_ = 0;
   specific_force_ = specific_force;
   time_ = time;
   started_ = true;

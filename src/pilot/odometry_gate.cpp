@@ -15,10 +15,29 @@ constexpr double kLargestTurnJump = 1.5;
 // What is left of an accelerometer's bias and of a tilt that is not known [m/s^2].
 constexpr double kUnknownBias = 0.5;
 
-// Whether two attitudes are surely less than `most` [rad] apart, at a small part of the cost of
-// their distance: an angle is at most pi times the sine of its half.
-bool isTurnedLess(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double most) noexcept {
-  return 10.0 * (a.conjugate() * b).vec().squaredNorm() < most * most;
+constexpr double kRounding = 1e-12;  // of a unit quaternion's squared norm
+
+// Of every component; comparisons with not-a-number are false.
+bool isWithin(const Eigen::Vector3d& vector, double most) noexcept {
+  return std::abs(vector.x()) <= most && std::abs(vector.y()) <= most &&
+         std::abs(vector.z()) <= most;
+}
+
+bool isFinite(const State& state) noexcept {
+  return state.position.allFinite() && state.velocity.allFinite() && state.body_rate.allFinite() &&
+         state.attitude.coeffs().allFinite();
+}
+
+bool isLonger(const Eigen::Vector3d& vector, double length) noexcept {
+  return vector.squaredNorm() > length * length;
+}
+
+// Whether a turn (see Innovation) is of a larger angle than `most` [rad]. Mostly it is smaller by
+// far, which needs no arc: an angle is at most pi times the sine of its half.
+bool isTurnedMore(const Eigen::Vector3d& turned, double most) noexcept {
+  const double squared = turned.squaredNorm();
+  if (2.5 * squared < most * most) return false;
+  return 2.0 * std::asin(std::min(1.0, 0.5 * std::sqrt(squared))) > most;
 }
 
 }  // namespace
@@ -50,41 +69,33 @@ const char* textOf(Doubt doubt) noexcept {
 }
 
 Doubt OdometryGate::look(State& state, Nanoseconds stamp, Nanoseconds now) const noexcept {
-  if (!state.position.allFinite() || !state.velocity.allFinite() || !state.body_rate.allFinite() ||
-      !state.attitude.coeffs().allFinite()) {
-    return Doubt::kNotFinite;
-  }
+  const bool bounded = isWithin(state.position, limits_.position) &&
+                       isWithin(state.velocity, limits_.velocity) &&
+                       isWithin(state.body_rate, limits_.body_rate);
+  const double squared_norm = state.attitude.squaredNorm();
+  if ((!bounded || !std::isfinite(squared_norm)) && !isFinite(state)) return Doubt::kNotFinite;
   if (stamp > now && stamp - now > limits_.stamp_ahead) return Doubt::kStampAhead;
-  const double norm = state.attitude.norm();
-  if (!(std::abs(norm - 1.0) <= limits_.norm)) return Doubt::kNoUnitQuaternion;
-  state.attitude.coeffs() /= norm;
-  if (state.position.cwiseAbs().maxCoeff() > limits_.position ||
-      state.velocity.cwiseAbs().maxCoeff() > limits_.velocity ||
-      state.body_rate.cwiseAbs().maxCoeff() > limits_.body_rate) {
-    return Doubt::kAbsurd;
+  if (!(std::abs(squared_norm - 1.0) < kRounding)) {
+    const double norm = std::sqrt(squared_norm);
+    if (!(std::abs(norm - 1.0) <= limits_.norm)) return Doubt::kNoUnitQuaternion;
+    state.attitude.coeffs() /= norm;
   }
-  return Doubt::kNone;
+  return bounded ? Doubt::kNone : Doubt::kAbsurd;
 }
 
 bool OdometryGate::believes(const Eigen::Vector3d& specific_force,
                             const Eigen::Vector3d& body_rate) const noexcept {
-  // Comparisons with not-a-number are false.
-  return (specific_force.array().abs() <= limits_.specific_force).all() &&
-         (body_rate.array().abs() <= limits_.body_rate).all();
+  return isWithin(specific_force, limits_.specific_force) && isWithin(body_rate, limits_.body_rate);
 }
 
-Doubt OdometryGate::jumped(const State& state, const State& expected,
-                           double silence) const noexcept {
+Doubt OdometryGate::jumped(const Innovation& innovation, double silence) const noexcept {
   const double speed = kUnknownAcceleration * silence;
   const double turn = std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurnJump);
-  if (!isTurnedLess(state.attitude, expected.attitude, turn) &&
-      state.attitude.angularDistance(expected.attitude) > turn) {
-    return Doubt::kTurnJump;
-  }
-  if ((state.position - expected.position).norm() > limits_.jump + 0.5 * speed * silence) {
+  if (isTurnedMore(innovation.turned, turn)) return Doubt::kTurnJump;
+  if (isLonger(innovation.position, limits_.jump + 0.5 * speed * silence)) {
     return Doubt::kPositionJump;
   }
-  if ((state.velocity - expected.velocity).norm() > limits_.speed_jump + speed) {
+  if (isLonger(innovation.velocity, limits_.speed_jump + speed)) {
     return Doubt::kVelocityJump;
   }
   return Doubt::kNone;
@@ -101,21 +112,21 @@ bool OdometryGate::first(const State& state) noexcept {
   return alone;
 }
 
-double OdometryGate::unfeltRise(const State& state, const State& expected,
-                                double silence) const noexcept {
-  const double rise = state.position.z() - expected.position.z();
+double OdometryGate::unfeltRise(const Innovation& innovation, double silence) const noexcept {
+  const double rise = innovation.position.z();
   const double error = limits_.jump + 0.5 * kUnknownBias * silence * silence;
   return std::abs(rise) > error ? rise : 0.0;
 }
 
-Doubt OdometryGate::compare(const State& state, const State& expected, double silence) noexcept {
+Doubt OdometryGate::compare(const State& state, const Innovation& innovation,
+                            double silence) noexcept {
   reset_ = false;
-  const Doubt doubt = jumped(state, expected, silence);
+  const Doubt doubt = jumped(innovation, silence);
   if (doubt == Doubt::kNone || doubt == Doubt::kTurnJump) {
     agreeing_ = 0;
     return doubt;
   }
-  const bool agrees = agreeing_ > 0 && jumped(state, candidate_, 0.0) == Doubt::kNone;
+  const bool agrees = agreeing_ > 0 && jumped(innovationOf(state, candidate_), 0.0) == Doubt::kNone;
   agreeing_ = agrees ? agreeing_ + 1 : 1;
   candidate_ = state;
   if (agreeing_ < limits_.confirmations) return doubt;

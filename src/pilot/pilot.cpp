@@ -11,6 +11,20 @@ namespace {
 
 constexpr const char* kUnfelt = "no vehicle feels or turns so";
 
+// Why a law with a loop that is unstable about this axis (null: none) must not be armed.
+const char* unfit(const char* axis) noexcept {
+  switch (axis == nullptr ? '\0' : axis[0]) {
+    case '\0':
+      return nullptr;
+    case 'x':
+      return "with its gains the attitude loop about x would be unstable";
+    case 'y':
+      return "with its gains the attitude loop about y would be unstable";
+    default:
+      return "with its gains the attitude loop about z would be unstable";
+  }
+}
+
 }  // namespace
 
 Pilot::Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanoseconds period,
@@ -24,8 +38,14 @@ Pilot::Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanosecond
       least_lag_(std::min(vehicle.time_constant_up, vehicle.time_constant_down)) {
   if (!limits.guard) return;
   guarded_.emplace(Guarded{Guard(*limits.guard, vehicle.maxThrust()),
-                           OdometryGate(limits.guard->gate), DeadReckoning(vehicle), vehicle.mass});
+                           OdometryGate(limits.guard->gate), DeadReckoning(vehicle),
+                           RotorObserver(vehicle), 1.0 / (vehicle.mass * kGravity)});
   controller_.bound({vehicle.maxThrust() / kGravity});
+  guarded_->guard.judgeLaw(unfit(unstableAxis(this->law())));
+}
+
+const char* Pilot::unstableAxis(const ControlLaw& law) const {
+  return aqc::unstableAxis(law, inertia_, least_lag_, toSeconds(clock_.period()));
 }
 
 bool Pilot::awaitsImu(Nanoseconds stamp) const noexcept {
@@ -53,10 +73,11 @@ Answer Pilot::hear(const State& heard, Nanoseconds stamp, Nanoseconds now) noexc
     due = clock_.hear(stamp, awaitsImu(stamp));
   }
   if (due == StepClock::Answer::kDrop) return refuse("its stamp goes back");
-  if (const Doubt doubt = this->doubt(state); doubt != Doubt::kNone) {
+  if (const Doubt doubt = judge(state); doubt != Doubt::kNone) {
     refuse(textOf(doubt));  // a step that is due is made without it
   } else {
-    takeOver(state);
+    sensed_.state = state;
+    located_ = true;
     monitor_.countOdometry(stamp, now);
   }
   if (due == StepClock::Answer::kRepeat) answer.publish = Publish::kLastCommand;
@@ -67,35 +88,40 @@ Answer Pilot::hear(const State& heard, Nanoseconds stamp, Nanoseconds now) noexc
   return answer;
 }
 
+// Without a doubt all that a guard needs has taken the state over.
+Doubt Pilot::judge(const State& state) noexcept {
+  if (!guarded_) return Doubt::kNone;
+  const Innovation innovation = innovationOf(state, guarded_->reckoning.state());
+  const Doubt doubt = this->doubt(state, innovation);
+  if (doubt == Doubt::kNone) takeOver(state, innovation);
+  return doubt;
+}
+
 // Whether it disagrees with what the vehicle must be doing.
-Doubt Pilot::doubt(const State& state) noexcept {
-  if (!guarded_ || !located_ || !guarded_->guard.flies()) return Doubt::kNone;
+Doubt Pilot::doubt(const State& state, const Innovation& innovation) noexcept {
+  if (!located_ || !guarded_->guard.flies()) return Doubt::kNone;
   if (OdometryGate::frozen(state, sensed_.state)) return Doubt::kFrozen;
   // What is reckoned from commands alone knows no ground to stand on.
   if (!guarded_->guard.airborne() && !guarded_->reckoning.feels()) return Doubt::kNone;
   if (guarded_->guard.mode() == Mode::kDescending && guarded_->gate.first(state)) {
     return Doubt::kFirst;
   }
-  const State expected = guarded_->reckoning.state();
-  const Doubt doubt = guarded_->gate.compare(state, expected, guarded_->silence);
-  if (guarded_->gate.sourceReset()) guarded_->guard.sourceReset(expected, state);
+  const Doubt doubt = guarded_->gate.compare(state, innovation, guarded_->silence);
+  if (guarded_->gate.sourceReset()) {
+    guarded_->guard.sourceReset(guarded_->reckoning.state(), state);
+  }
   return doubt;
 }
 
-void Pilot::takeOver(const State& state) noexcept {
-  const bool follows = located_;
-  sensed_.state = state;
-  located_ = true;
-  if (!guarded_) return;
+void Pilot::takeOver(const State& state, const Innovation& innovation) noexcept {
   guarded_->gate.believed();
   if (guarded_->guard.mode() == Mode::kDescending && guarded_->reckoning.feels()) {
-    guarded_->guard.groundRose(
-        guarded_->gate.unfeltRise(state, guarded_->reckoning.state(), guarded_->silence));
+    guarded_->guard.groundRose(guarded_->gate.unfeltRise(innovation, guarded_->silence));
   }
   guarded_->guard.heardOdometry(state);
-  if (follows && guarded_->silence < limits_.guard->odometry_late &&
+  if (located_ && guarded_->silence < limits_.guard->odometry_late &&
       !guarded_->gate.sourceReset()) {
-    guarded_->reckoning.correct(state);
+    guarded_->reckoning.correct(state, innovation);
   } else {
     guarded_->reckoning.restart(state);
   }
@@ -202,11 +228,10 @@ bool Pilot::order(const SwitchOrder& order) {
 
 std::string Pilot::handOver(std::unique_ptr<ControlLaw>& law) {
   const bool another = law->name() != std::string(this->law().name());
-  if (flying() && guarded_) {
-    if (const char* axis = unstableAxis(*law, inertia_, least_lag_, toSeconds(clock_.period()))) {
-      return std::string("with these gains of '") + law->name() + "' the attitude loop about " +
-             axis + " would be unstable: errors grow from step to step, given the rotors' lag";
-    }
+  const char* axis = guarded_ ? unstableAxis(*law) : nullptr;
+  if (flying() && axis != nullptr) {
+    return std::string("with these gains of '") + law->name() + "' the attitude loop about " +
+           axis + " would be unstable: errors grow from step to step, given the rotors' lag";
   }
   if (flying() && another) {
     const std::string obstacle =
@@ -217,6 +242,7 @@ std::string Pilot::handOver(std::unique_ptr<ControlLaw>& law) {
     }
   }
   law = controller_.replaceLaw(std::move(law));
+  if (guarded_) guarded_->guard.judgeLaw(unfit(axis));
   if (!this->law().usesSpecificForce()) imu_.forget();  // its samples stop here
   return "";
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/pilot/pilot.h"
 
 namespace aqc {
@@ -10,7 +11,8 @@ namespace {
 constexpr double kImuSilence = 0.1;  // [s]: an IMU older than this is not felt any more
 // Older odometry is worse than what the IMU makes of it: laws bear delays of 20 ms or so [s].
 constexpr double kStale = 0.03;
-constexpr double kWeighing = 1.0;   // [s], time constant
+constexpr double kWeighing = 1.0;  // [s], time constant
+constexpr double kPerGravity = 1.0 / kGravity;
 constexpr double kLeastMass = 0.1;  // [kg]
 // Blind, without an accelerometer, a vehicle must rather sink than climb for ever.
 constexpr double kBlindLightness = 0.98;
@@ -39,8 +41,8 @@ Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
   now.silence = guarded.silence;
   now.feels = guarded.reckoning.feels();
   if (now.feels) {
-    now.support = guarded.reckoning.feltLift() / kGravity -
-                  controller_.given().thrust / (guarded.empty_mass * kGravity);
+    now.support =
+        guarded.reckoning.feltLift() * kPerGravity - guarded.given.thrust * guarded.per_weight;
   }
   now.planned = planned;
   now.plan_ended =
@@ -48,6 +50,7 @@ Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
   now.plan_age = guarded.plan_age;
   now.given = &allocation();
   now.mass = law().telemetry().liftedMass();
+  now.missing_rotors = guarded.rotors.missing();
   now.law_finite = law().finite() && law().telemetry().force.allFinite();
   return now;
 }
@@ -56,13 +59,25 @@ Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
 // an accelerometer needs. A law's own estimate may differ by what its other terms carry.
 void Pilot::weigh(double dt) noexcept {
   Guarded& guarded = *guarded_;
-  const Wrench given = controller_.given();
-  const double lift = given.thrust * (sensed_.state.attitude * Eigen::Vector3d::UnitZ()).z();
   if (!guarded.guard.airborne()) {
     guarded.mass = std::max(law().telemetry().liftedMass(), kLeastMass);
   } else if (guarded.silence < limits_.guard->odometry_late) {
-    guarded.mass += std::min(dt / kWeighing, 1.0) * (lift / kGravity - guarded.mass);
+    const double lift = guarded.given.thrust * uprightness(sensed_.state.attitude);
+    guarded.mass += std::min(dt / kWeighing, 1.0) * (lift * kPerGravity - guarded.mass);
     guarded.mass = std::max(guarded.mass, kLeastMass);
+  }
+}
+
+// What the rotors should have given since the last step against what the body did.
+void Pilot::observeRotors(double dt) noexcept {
+  Guarded& guarded = *guarded_;
+  const bool feels = guarded.reckoning.feels();
+  const Eigen::Vector3d& rate =
+      feels ? guarded.reckoning.state().body_rate : sensed_.state.body_rate;
+  if (guarded.guard.airborne() && (feels || guarded.silence < kStale)) {
+    guarded.rotors.observe(rate, guarded.given.moment, dt);
+  } else {
+    guarded.rotors.restart(rate);
   }
 }
 
@@ -70,6 +85,7 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
   Guarded& guarded = *guarded_;
   const double dt = clock_.begin(now, guarded.guard.armed());
   if (guarded.imu_silence > kImuSilence) guarded.reckoning.feelNothing();
+  observeRotors(dt);
   const SetPoint* planned = located_ ? schedule_.at(now) : nullptr;
   const Situation situation = this->situation(planned, dt);
   const Decision decision = guarded.guard.step(situation);
@@ -79,18 +95,21 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
   if (decision.forget) controller_.forget();
   if (decision.set_point != nullptr) {
     set_point_ = *decision.set_point;
-    Sensed sensed = sensed_;
-    if (situation.state != &sensed_.state) {  // that of dead reckoning, which is of now
+    if (situation.state == &sensed_.state) {
+      controller_.step(sensed_, decision.set_point, dt, decision.learn);
+    } else {  // that of dead reckoning, which is of now
+      Sensed sensed = sensed_;
       sensed.state = *situation.state;
       sensed.ages.pose = sensed.ages.body_rate = 0.0;
+      controller_.step(sensed, decision.set_point, dt, decision.learn);
     }
-    controller_.step(sensed, decision.set_point, dt, decision.learn);
   } else {
     controller_.idle(decision.idle, dt);
   }
+  guarded.given = controller_.given();
   weigh(dt);
   const double lightness = guarded.reckoning.feels() ? 1.0 : kBlindLightness;
-  guarded.reckoning.advance(controller_.given(), lightness * guarded.mass, dt);
+  guarded.reckoning.advance(guarded.given, lightness * guarded.mass, dt);
   guarded.silence += dt;
   guarded.imu_silence += dt;
   guarded.plan_age += dt;

@@ -59,6 +59,17 @@ void advanceYaw(SetPoint& s, const SetPoint& wanted, const MotionBounds& bounds,
   s.yaw_acceleration = motion.acceleration[0];
 }
 
+// Whether it is at rest where it is to rest, in all of x, y, z and yaw: most of the time, in a
+// hover, and told by sums without a branch.
+bool rests(const SetPoint& now, const SetPoint& wanted) noexcept {
+  const auto motion = [](const SetPoint& s) {
+    return (s.velocity.cwiseAbs() + s.acceleration.cwiseAbs() + s.jerk.cwiseAbs()).sum() +
+           std::abs(s.yaw_rate) + std::abs(s.yaw_acceleration);
+  };
+  return now.position == wanted.position && now.yaw == wanted.yaw &&
+         motion(now) + motion(wanted) == 0.0;
+}
+
 }  // namespace
 
 GovernorLimits readGovernorLimits(const ParameterReader& reader) {
@@ -117,6 +128,7 @@ void ReferenceGovernor::take(const SetPoint& wanted, double floor) noexcept {
 
 void ReferenceGovernor::step(const Eigen::Vector3d& actual, double thrust_to_weight,
                              double dt) noexcept {
+  if (rests(reference_, wanted_)) return;
   // Half of the spare thrust may go upwards, what is left then sideways.
   const GovernorLimits& l = limits_;
   const double ratio = std::isnan(thrust_to_weight) ? HUGE_VAL : thrust_to_weight;

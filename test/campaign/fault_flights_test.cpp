@@ -78,6 +78,18 @@ TEST(FaultFlights, ThatLoseARotorAreForcedDownAndStopTheOthers) {
   EXPECT_LT(result.duration, 9.0) << "disarmed";
 }
 
+TEST(FaultFlights, ThatLoseARotorBeforeLiftOffStopBeforeTheyTipOver) {
+  const Vehicle vehicle = test::pelican();
+  FaultFlight flight = emptyFlight(1, vehicle);
+  flight.scenario.duration = fromSeconds(10.0);
+  const ForceMoment tether{{0.0, 0.0, -23.0}, Eigen::Vector3d::Zero()};
+  flight.scenario.mission.events = {{0, ApplyDisturbance{fromSeconds(6.0), tether, 0.0}},
+                                    {fromSeconds(0.6), SetRotor{1, {0.0, std::nullopt, 1.0}}}};
+  const FaultResult result = flyFaults(flight, vehicle, test::lawNamed("asmc", vehicle), guarded());
+  EXPECT_EQ(result.verdict, Verdict::kLanded) << result.reason;
+  EXPECT_EQ(result.rules.back(), Rule::kTipped);
+}
+
 TEST(FaultFlights, ThatCarryMoreThanTheRotorsLiftAreForcedDown) {
   const Vehicle vehicle = test::pelican();
   FaultFlight flight = emptyFlight(1, vehicle);

@@ -30,6 +30,7 @@ class GuardedFlight {
   // What the pilot hears: true when it is to be heard. `state`, `stamp` and `now` may be changed.
   std::function<bool(State& state, Nanoseconds& stamp, Nanoseconds& now)> odometry;
   bool imu = true;
+  Nanoseconds imu_offset = 0;                            // of the IMU's stamps
   Eigen::Vector3d force_bias = Eigen::Vector3d::Zero();  // of the IMU, in B [m/s^2]
   Eigen::Vector3d rate_bias = Eigen::Vector3d::Zero();   // [rad/s]
 
@@ -40,7 +41,7 @@ class GuardedFlight {
       Nanoseconds stamp = now_;
       Nanoseconds now = now_;
       const Eigen::Vector3d felt = plant_.specificForce() + force_bias;
-      if (imu) pilot_.hear(felt, Eigen::Vector3d(state.body_rate + rate_bias), now_);
+      if (imu) pilot_.hear(felt, Eigen::Vector3d(state.body_rate + rate_bias), now_ + imu_offset);
       if (!odometry || odometry(state, stamp, now)) pilot_.hear(state, stamp, now);
       pilot_.tick(now);
       for (int i = 0; i < 4; ++i) plant_.step(pilot_.allocation().speeds, 1e-3);

@@ -17,6 +17,16 @@ inline Eigen::Quaterniond yawRotation(double yaw) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
 }
 
+/// The vertical part of the body's z axis, 1 when it is level; `attitude` of unit norm.
+inline double uprightness(const Eigen::Quaterniond& attitude) noexcept {
+  return 1.0 - 2.0 * (attitude.x() * attitude.x() + attitude.y() * attitude.y());
+}
+
+/// Brings a norm that rounding has moved from 1 back, without a root (a step of Newton's method).
+inline void keepUnit(Eigen::Quaterniond& attitude) noexcept {
+  attitude.coeffs() *= 1.5 - 0.5 * attitude.squaredNorm();
+}
+
 /// Roll, pitch, yaw (phi, theta, psi) [rad] of the Z-Y-X convention (thesis eq. rot_matrix);
 /// pitch in [-pi/2, pi/2].
 inline Eigen::Vector3d rollPitchYaw(const Eigen::Quaterniond& attitude) {

@@ -5,6 +5,7 @@
 #include "adaptive_quadrotor_control/model/rotor_allocation.h"
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
+#include "adaptive_quadrotor_control/pilot/innovation.h"
 
 namespace aqc {
 
@@ -19,8 +20,8 @@ class DeadReckoning {
  public:
   explicit DeadReckoning(const Vehicle& vehicle);
 
-  /// What odometry said, one message after the other.
-  void correct(const State& state) noexcept;
+  /// What odometry said, one message after the other, and how far that is from state().
+  void correct(const State& state, const Innovation& innovation) noexcept;
   /// What it said first, or first again.
   void restart(const State& state) noexcept { state_ = state; }
   /// It stands on the ground.

@@ -22,6 +22,7 @@ struct Situation {
   const Allocation* given = nullptr;  ///< what became of the last command
   double mass = 0.0;                  ///< carried, as the law tells [kg]
   bool law_finite = true;             ///< what it learned is
+  double missing_rotors = 0.0;        ///< see RotorObserver::missing()
 };
 
 /// What is to be done in a step.
@@ -40,6 +41,10 @@ class Guard {
  public:
   /// `max_thrust` [N] of all rotors together.
   Guard(const GuardLimits& limits, double max_thrust);
+
+  /// Whether the law may carry a vehicle: null, or why it must not be armed with it (a text that
+  /// lasts).
+  void judgeLaw(const char* why_not) noexcept { unfit_ = why_not; }
 
   /// Each order is empty when it is obeyed, else says why not, and nothing has changed.
   const char* arm() noexcept;
@@ -100,18 +105,28 @@ class Guard {
   void watchOdometry(const Situation& now) noexcept;
   void watchAttitude(const Situation& now) noexcept;
   void watchLift(const Situation& now) noexcept;
+  void watchRotors(const Situation& now) noexcept;
   void watchPlan(const Situation& now) noexcept;
   void progress(const Situation& now) noexcept;
   bool thrustIsShort(const Situation& now) const noexcept;
   void settle() noexcept;
   bool mustBeDown(const Situation& now) const noexcept;
+  double wayDown() const noexcept;
+  bool brakesFirst() const noexcept;
+  double blindSinking() const noexcept;
   double floor() const noexcept;
   bool mayLearn(const Situation& now) const noexcept;
-  SetPoint wanted(const Situation& now) noexcept;
+  void aim(const Situation& now) noexcept;
+
+  // Least vertical part of the body's z axis: cosines of the largest tilts.
+  struct LeastUp {
+    double flying, near, standing;
+  };
 
   GuardLimits limits_;
   double max_thrust_;
   ReferenceGovernor governor_;
+  LeastUp least_up_;
   Mode mode_ = Mode::kDisarmed;
   Rule rule_ = Rule::kNone;
   SetPoint place_;  // to hold, or to rise or sink from
@@ -123,11 +138,13 @@ class Guard {
   bool airborne_ = false;
   bool plan_is_new_ = false;
   bool was_armed_ = false;
-  bool crashed_ = false;      // no arming by itself any more
-  bool was_landing_ = false;  // when odometry was lost
-  double climbing_ = 0.0;     // vertical velocity, smoothed [m/s]
-  double mode_time_ = 0.0;    // in this mode [s]
-  Lasting tumbling_, tipped_, overloaded_, saturated_, lagging_, standing_;
+  const char* unfit_ = nullptr;  // why it must not be armed with the present law
+  bool crashed_ = false;         // no arming by itself any more
+  bool was_landing_ = false;     // when odometry was lost
+  double climbing_ = 0.0;        // vertical velocity, smoothed [m/s]
+  double mode_time_ = 0.0;       // in this mode [s]
+  double sunk_ = 0.0;            // part of it, in which a landing or a descent sank [s]
+  Lasting tumbling_, tipped_, rocking_, overloaded_, saturated_, failing_, lagging_, standing_;
 };
 
 }  // namespace aqc

@@ -52,6 +52,8 @@ struct GuardLimits {
   double overload = 0.95;        ///< mass carried / mass that the rotors can lift
   double overload_time = 2.0;    ///< then it lands while it can
   double saturation_time = 2.0;  ///< with all thrust asked for and the vehicle below its set point
+  double rotor_loss = 0.5;       ///< moment that is not explained / a hovering rotor's
+  double rotor_loss_time = 0.2;  ///< then it lands while it can
   double lag = 3.0;              ///< the vehicle is at the end of the governor's lead so long: hold
 };
 

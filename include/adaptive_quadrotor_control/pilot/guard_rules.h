@@ -22,6 +22,7 @@ enum class Rule {
   kOverload,
   kSaturation,
   kLawNotFinite,
+  kRotorLoss,
   kNoLiftOff,
   kTouchDown,
   kTipped,
@@ -38,7 +39,7 @@ struct RuleText {
 };
 
 /// All rules, in the order of Rule: the table of docs/guard.md.
-const std::array<RuleText, 21>& guardRules() noexcept;
+const std::array<RuleText, 22>& guardRules() noexcept;
 
 /// Never null.
 inline const RuleText& textOf(Rule rule) noexcept {

@@ -11,6 +11,7 @@ namespace aqc {
 class ImuMonitor {
  public:
   static constexpr Nanoseconds kOldest = 100'000'000;  // [ns]
+  static constexpr int kConfirmations = 3;             // samples that tell of a clock's step
 
   /// A sample is usable until it is `oldest` behind the odometry; one that goes back by more than
   /// `new_start` is of a clock that was started anew [ns].
@@ -21,7 +22,9 @@ class ImuMonitor {
   void forget() noexcept { started_ = usable_ = false; }
 
   /// A sample in B [m/s^2]. False, and it is dropped and counted, when it is not finite or older
-  /// than the one before, unless so much that the clock was started anew.
+  /// than the one before, unless so much that the clock was started anew. Of older ones in a row,
+  /// none behind the one before, the last of kConfirmations is taken: their clock was set back by
+  /// less, and they are no stragglers and no second source.
   bool take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept;
 
   /// What goes with odometry of the time `now`: null when the latest sample is older than usable,
@@ -43,12 +46,16 @@ class ImuMonitor {
   long losses() const noexcept { return losses_; }
 
  private:
+  bool wasSetBack(Nanoseconds time) noexcept;
+
   Nanoseconds oldest_;
   Nanoseconds new_start_;
   Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
   Nanoseconds time_ = 0;
   bool started_ = false;
   bool usable_ = false;
+  Nanoseconds late_time_ = 0;  // of the last sample that was older than the one before
+  int late_ = 0;               // how many such came in a row
   long dropped_ = 0;
   long losses_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "adaptive_quadrotor_control/model/state.h"
 #include "adaptive_quadrotor_control/pilot/guard_limits.h"
+#include "adaptive_quadrotor_control/pilot/innovation.h"
 
 namespace aqc {
 
@@ -39,12 +40,12 @@ class OdometryGate {
   bool believes(const Eigen::Vector3d& specific_force,
                 const Eigen::Vector3d& body_rate) const noexcept;
 
-  /// Whether it agrees with `expected`, the motion as it must be after `silence` seconds without
-  /// odometry (an innovation gate). Messages that jump, agree with each other
+  /// Whether it agrees with the motion as it must be after `silence` seconds without odometry, from
+  /// which it is `innovation` away (an innovation gate). Messages that jump, agree with each other
   /// and come in a row are of a source that was reset: the last of so many (see
   /// GateLimits::confirmations) is believed, unless it is the attitude that jumped, which no reset
   /// of a map explains.
-  Doubt compare(const State& state, const State& expected, double silence) noexcept;
+  Doubt compare(const State& state, const Innovation& innovation, double silence) noexcept;
 
   /// Whether it says exactly what the `last` message said that was believed. In the air nothing is
   /// so still: the source has frozen, whatever its stamps say.
@@ -55,7 +56,7 @@ class OdometryGate {
   bool first(const State& state) noexcept;
   /// How much higher it says the vehicle is than it can be, after `silence` seconds in which an IMU
   /// told the motion: so much its source's ground has moved [m]. 0 where dead reckoning may err so.
-  double unfeltRise(const State& state, const State& expected, double silence) const noexcept;
+  double unfeltRise(const Innovation& innovation, double silence) const noexcept;
 
   /// Whether the last compare() took a message as a source's reset.
   bool sourceReset() const noexcept { return reset_; }
@@ -65,7 +66,7 @@ class OdometryGate {
   void forget() noexcept { agreeing_ = 0; }
 
  private:
-  Doubt jumped(const State& state, const State& expected, double silence) const noexcept;
+  Doubt jumped(const Innovation& innovation, double silence) const noexcept;
 
   GateLimits limits_;
   State candidate_;   // the last that jumped

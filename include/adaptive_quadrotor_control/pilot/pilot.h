@@ -14,6 +14,7 @@
 #include "adaptive_quadrotor_control/pilot/imu_monitor.h"
 #include "adaptive_quadrotor_control/pilot/odometry_gate.h"
 #include "adaptive_quadrotor_control/pilot/pilot_limits.h"
+#include "adaptive_quadrotor_control/pilot/rotor_observer.h"
 #include "adaptive_quadrotor_control/reference/set_point_schedule.h"
 
 namespace aqc {
@@ -123,18 +124,23 @@ class Pilot {
   void stepGuarded(Nanoseconds now) noexcept;
   Situation situation(const SetPoint* planned, double dt) const noexcept;
   void weigh(double dt) noexcept;
-  Doubt doubt(const State& state) noexcept;
-  void takeOver(const State& state) noexcept;
+  Doubt judge(const State& state) noexcept;
+  Doubt doubt(const State& state, const Innovation& innovation) noexcept;
+  void takeOver(const State& state, const Innovation& innovation) noexcept;
   void switchSubsystem(Nanoseconds now) noexcept;
   void sense(Nanoseconds now) noexcept;
   bool awaitsImu(Nanoseconds stamp) const noexcept;
+  const char* unstableAxis(const ControlLaw& law) const;
+  void observeRotors(double dt) noexcept;
 
   // What a guard needs beside it.
   struct Guarded {
     Guard guard;
     OdometryGate gate;
     DeadReckoning reckoning;
-    double empty_mass;         // of the vehicle [kg]
+    RotorObserver rotors;
+    double per_weight;         // 1 / the empty vehicle's weight [1/N]
+    Wrench given = {};         // by the rotors at the end of the last step, as predicted
     double silence = 0.0;      // without odometry [s]
     double imu_silence = 0.0;  // [s]
     double plan_age = 0.0;     // [s]

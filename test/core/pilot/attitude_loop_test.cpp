@@ -67,5 +67,23 @@ TEST(AttitudeLoop, GainsThatMakeItUnstableAreRefusedInFlight) {
   EXPECT_EQ(flight.pilot().handOver(law), "");
 }
 
+TEST(AttitudeLoop, GainsThatMakeItUnstableAreNotArmed) {
+  YAML::Node gains = gainsOf("asmc");
+  for (int i = 0; i < 3; ++i) gains["attitude"]["gain"][i] = 50.0;
+  PilotLimits limits;
+  limits.guard = GuardLimits();
+  Pilot pilot(test::pelican(), lawWith(gains), 4'000'000, StepClock::Trigger::kTimer, limits);
+  pilot.hear(State(), 0, 0);
+  pilot.tick(0);
+  const std::string refusal = "with its gains the attitude loop about x would be unstable";
+  EXPECT_EQ(pilot.guard()->arm(), refusal);
+  std::unique_ptr<ControlLaw> law = lawWith(gainsOf("asmc"));
+  EXPECT_EQ(pilot.handOver(law), "") << "on the ground all gains are taken";
+  EXPECT_EQ(pilot.guard()->arm(), nullptr);
+  EXPECT_EQ(pilot.guard()->disarm(), nullptr);
+  EXPECT_EQ(pilot.handOver(law), "");
+  EXPECT_EQ(pilot.guard()->arm(), refusal);
+}
+
 }  // namespace
 }  // namespace aqc

@@ -112,6 +112,15 @@ TEST_F(GuardTest, OperatorMayNotArmWhatMovesOrIsTilted) {
   EXPECT_EQ(guard_.arm(), nullptr);
 }
 
+TEST_F(GuardTest, OperatorMayNotArmALawThatIsUnfit) {
+  step();
+  guard_.judgeLaw("it is unfit");
+  EXPECT_STREQ(guard_.arm(), "it is unfit");
+  EXPECT_EQ(guard_.mode(), Mode::kDisarmed);
+  guard_.judgeLaw(nullptr);
+  EXPECT_EQ(guard_.arm(), nullptr);
+}
+
 TEST_F(GuardTest, ArmedRotorsIdleAndDisarmedOnesStand) {
   limits_.idle_speed = 120.0;
   guard_ = Guard(limits_, kMaxThrust);
@@ -227,6 +236,51 @@ TEST_F(GuardTest, SourceResetMovesTheReferenceWithTheEstimate) {
   EXPECT_LT((step().set_point->position - before - Eigen::Vector3d(3.0, 0.0, -0.2)).norm(), 0.02);
 }
 
+TEST_F(GuardTest, SourceResetInALandingGoesOnLanding) {
+  takeOff();
+  ASSERT_EQ(guard_.land(), nullptr);
+  followFor(0.5);
+  State said = state_;
+  said.position.z() += 2.0;
+  guard_.sourceReset(state_, said);
+  EXPECT_EQ(guard_.mode(), Mode::kLanding);
+  EXPECT_EQ(guard_.rule(), Rule::kSourceReset);
+}
+
+TEST_F(GuardTest, ClockStepChangesNoDescent) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  step();
+  guard_.clockStepped();
+  EXPECT_EQ(guard_.mode(), Mode::kDescending);
+  EXPECT_EQ(guard_.rule(), Rule::kOdometryLost);
+}
+
+TEST_F(GuardTest, AHoldDoesNotTurnBack) {
+  takeOff();
+  plan({30.0, 0.0, 1.0});
+  followFor(2.5);
+  ASSERT_GT(state_.velocity.x(), 2.0);
+  guard_.hold();
+  for (int i = 0; i < 500; ++i) {
+    follow(step());
+    ASSERT_GT(state_.velocity.x(), -0.01);
+  }
+  EXPECT_LT(state_.velocity.norm(), 0.01);
+}
+
+TEST_F(GuardTest, TakenOffIsWhoIsCloseToTheTop) {
+  step();
+  guard_.arm();
+  guard_.takeOff();
+  state_.position.z() = limits_.take_off_height - 0.11;
+  step();
+  EXPECT_EQ(guard_.mode(), Mode::kTakingOff);
+  state_.position.z() = limits_.take_off_height - 0.09;
+  step();
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+}
+
 TEST_F(GuardTest, ClockStepEndsPlansInTheAirAndDisarmsOnTheGround) {
   step();
   ASSERT_EQ(guard_.arm(), nullptr);
@@ -287,6 +341,26 @@ TEST_F(GuardTest, LawNotFiniteForgetsAndLands) {
   EXPECT_EQ(guard_.rule(), Rule::kLawNotFinite);
 }
 
+TEST_F(GuardTest, RotorLossLands) {
+  takeOff();
+  now_.missing_rotors = limits_.rotor_loss - 0.01;
+  stepFor(2.0 * limits_.rotor_loss_time);
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+  now_.missing_rotors = limits_.rotor_loss + 0.01;
+  stepFor(0.5 * limits_.rotor_loss_time);
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+  EXPECT_NEAR(until(Mode::kLanding), 0.5 * limits_.rotor_loss_time, 2.0 * kStep);
+  EXPECT_EQ(guard_.rule(), Rule::kRotorLoss);
+}
+
+TEST_F(GuardTest, MomentsOfTheGroundAreNoRotorLoss) {
+  takeOff();
+  now_.missing_rotors = 2.0 * limits_.rotor_loss;
+  state_.position.z() = 0.25;
+  stepFor(2.0 * limits_.rotor_loss_time);
+  EXPECT_EQ(guard_.mode(), Mode::kHolding);
+}
+
 TEST_F(GuardTest, NoLiftOffDisarmsAndDoesNotTryAgainByItself) {
   limits_.auto_arm = true;
   guard_ = Guard(limits_, kMaxThrust);
@@ -330,6 +404,49 @@ TEST_F(GuardTest, TippedOverCountsOnlyCloseToTheGround) {
   expectDisarmed(Rule::kTipped);
 }
 
+TEST_F(GuardTest, TippedOverBeforeLiftOffNeedsLess) {
+  const double slope = 0.2;
+  tilt(slope);
+  step();
+  ASSERT_EQ(guard_.arm(), nullptr);
+  tilt(slope + limits_.tip_tilt / 3.0 + 0.01);
+  stepFor(limits_.tip_time);
+  EXPECT_EQ(guard_.mode(), Mode::kArmed) << "whoever lifts an idle vehicle may tilt it";
+  ASSERT_EQ(guard_.takeOff(), nullptr);
+  tilt(slope + limits_.tip_tilt / 3.0 - 0.01);
+  stepFor(limits_.tip_time);
+  EXPECT_EQ(guard_.mode(), Mode::kTakingOff);
+  tilt(slope + limits_.tip_tilt / 3.0 + 0.01);
+  EXPECT_NEAR(until(Mode::kDisarmed), limits_.tip_time / 6.0, 2.0 * kStep);
+  expectDisarmed(Rule::kTipped);
+}
+
+TEST_F(GuardTest, OdometryLostAtSpeedBrakesBeforeItSinks) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  state_.velocity.x() = 2.0;
+  const double height = step().set_point->position.z();
+  ASSERT_EQ(guard_.mode(), Mode::kDescending);
+  stepFor(1.4);
+  EXPECT_NEAR(step().set_point->position.z(), height, 0.01);
+  stepFor(0.6);
+  EXPECT_LT(step().set_point->velocity.z(), -0.1) << "whatever the speed";
+}
+
+TEST_F(GuardTest, OdometryLostForLongSinksFaster) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  const double way_down = state_.position.z() / limits_.descent_speed;
+  followFor(way_down - 0.5);
+  ASSERT_EQ(guard_.mode(), Mode::kDescending);
+  EXPECT_NEAR(-guard_.goal().velocity.z(), limits_.descent_speed, 1e-9);
+  followFor(1.5);
+  EXPECT_NEAR(-guard_.goal().velocity.z(), limits_.descent_speed + 0.2, 0.02);
+  followFor(3.0);
+  EXPECT_EQ(guard_.mode(), Mode::kDescending);
+  EXPECT_NEAR(-guard_.goal().velocity.z(), 2.0 * limits_.descent_speed, 1e-9);
+}
+
 TEST_F(GuardTest, TumbleDisarmsAtAnyHeight) {
   takeOff();
   tilt(limits_.tumble_tilt + 0.1);
@@ -349,6 +466,15 @@ TEST_F(GuardTest, BlindEndComesWhenItMustBeDown) {
   const double time = until(Mode::kDisarmed);
   EXPECT_GT(time, way_down);
   EXPECT_LT(time, way_down + 5.0);
+  expectDisarmed(Rule::kBlindEnd);
+}
+
+TEST_F(GuardTest, BlindEndWaitsForAnImuToFeelTheGround) {
+  takeOff();
+  now_.silence = limits_.odometry_lost;
+  step();
+  const double patience = 1.5 * (3.0 + state_.position.z() / limits_.descent_speed);
+  EXPECT_NEAR(until(Mode::kDisarmed), patience, 0.1);
   expectDisarmed(Rule::kBlindEnd);
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/simulation/random.h"
 #include "support/guarded_flight.h"
 
@@ -18,17 +20,27 @@ bool nothing(State& /*state*/, Nanoseconds& /*stamp*/, Nanoseconds& /*now*/) {
   return false;
 }
 
-TEST(GuardedFault, AnOrderToLandBrakesFirst) {
+// Fast and low, when `something` makes it come down.
+void expectToBrakeFirst(const std::function<void(GuardedFlight& flight)>& something) {
   GuardedFlight flight;
   flight.takeOff();
-  flight.go(30.0, 0.0, 0.4);
+  flight.go(30.0, 0.0, 0.0);
   flight.fly(5.0);
   EXPECT_GT(flight.speed(), 2.0);
-  EXPECT_EQ(flight.pilot().guard()->land(), nullptr);
-  while (!flight.plant().touching()) flight.fly(0.1);
-  EXPECT_LT(flight.plant().state().velocity.head<2>().norm(), 0.7);
+  something(flight);
+  while (!flight.plant().touching()) flight.fly(0.02);
+  EXPECT_LT(flight.plant().state().velocity.head<2>().norm(), 1.0);
   flight.fly(4.0);
   expectLanded(flight);
+}
+
+TEST(GuardedFault, AnOrderToLandBrakesFirst) {
+  expectToBrakeFirst(
+      [](GuardedFlight& flight) { EXPECT_EQ(flight.pilot().guard()->land(), nullptr); });
+}
+
+TEST(GuardedFault, ADescentWithoutOdometryBrakesFirst) {
+  expectToBrakeFirst([](GuardedFlight& flight) { flight.odometry = nothing; });
 }
 
 TEST(GuardedFault, OdometryThatComesBackCloseToTheGroundFindsALanding) {
@@ -212,6 +224,37 @@ TEST(GuardedFault, ALoadThatIsLostWithoutOdometryIsUnlearned) {
   expectLanded(flight);
 }
 
+// Without an IMU the thrust that has held it up lately is all that tells what it carries.
+TEST(GuardedFault, WithoutOdometryAndImuALoadIsCarriedDown) {
+  GuardedFlight flight;
+  flight.imu = false;
+  flight.takeOff();
+  flight.plant().setDisturbance({{0.0, 0.0, -8.0}, Eigen::Vector3d::Zero()});
+  flight.fly(6.0);
+  flight.odometry = nothing;
+  flight.fly(0.6);
+  EXPECT_EQ(flight.mode(), Mode::kDescending);
+  flight.fly(10.0);
+  expectLanded(flight);
+}
+
+TEST(GuardedFault, AStreamOfSetPointsMovesBetweenThem) {
+  GuardedFlight flight;
+  flight.takeOff();
+  SetPoint point;
+  point.velocity.x() = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    point.position = {0.05 * i, 0.0, 1.1};
+    flight.pilot().plan({{flight.now(), point}}, flight.now(), flight.now());
+    flight.fly(0.05);
+  }
+  EXPECT_EQ(flight.pilot().goal().velocity.x(), 1.0);
+  flight.fly(0.4);
+  EXPECT_EQ(flight.pilot().goal().velocity.x(), 1.0) << "the next one may be late";
+  flight.fly(0.2);
+  EXPECT_EQ(flight.pilot().goal().velocity.x(), 0.0) << "it has ended";
+}
+
 TEST(GuardedFault, ABiasIsLearnedBeforeItIsNeeded) {
   GuardedFlight flight;
   flight.force_bias = {0.2, -0.1, 0.2};
@@ -252,6 +295,42 @@ TEST(GuardedFault, AnImuSampleRefusedForItsStampIsNotFelt) {
   EXPECT_EQ(flight.pilot().droppedOdometry(), 0u) << "nobody doubts it for what was refused";
   EXPECT_EQ(flight.mode(), Mode::kHolding);
   EXPECT_NEAR(flight.height(), 1.1, 0.1);
+}
+
+// Less than a new start of the clock: odometry is late until it has caught up, and all that tells
+// the attitude of a turning vehicle is the IMU, whose stamps went back, too.
+TEST(GuardedFault, AnImuWhoseClockIsSetBackIsFeltAllTheSame) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.go(6.0, 0.0, 3.0);
+  flight.fly(0.6);
+  flight.imu_offset = -925'000'000;
+  flight.odometry = [](State&, Nanoseconds& stamp, Nanoseconds&) {
+    stamp -= 925'000'000;
+    return true;
+  };
+  flight.plant().setDisturbance({{}, {0.3, 0.0, 0.0}});
+  flight.fly(0.2);
+  flight.plant().setDisturbance({});
+  double up = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    flight.fly(0.1);
+    up = std::min(up, uprightness(flight.plant().state().attitude));
+  }
+  EXPECT_GT(up, 0.8);
+  EXPECT_EQ(flight.pilot().imu().dropped(), ImuMonitor::kConfirmations - 1);
+  EXPECT_EQ(flight.mode(), Mode::kHolding);
+  EXPECT_LT(flight.speed(), 0.2);
+}
+
+// It feels less than there is, believes to fall, and climbs in truth.
+TEST(GuardedFault, ABiasThatIsNotKnownMakesNoDescentAClimb) {
+  GuardedFlight flight;
+  flight.takeOff();
+  flight.odometry = nothing;
+  flight.force_bias.z() = -0.12;
+  flight.fly(14.0);
+  expectLanded(flight);
 }
 
 }  // namespace

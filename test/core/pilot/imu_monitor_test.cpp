@@ -58,6 +58,31 @@ TEST(ImuMonitor, FollowsAClockThatStartsAnew) {
   EXPECT_EQ(imu.dropped(), 1);
 }
 
+TEST(ImuMonitor, FollowsAClockThatIsSetBackByLess) {
+  constexpr Nanoseconds kOld = 100 * kNewStart, kNew = kOld - kNewStart / 2;
+  ImuMonitor imu;
+  imu.take({1, 0, 0}, kOld);
+  for (int i = 1; i < ImuMonitor::kConfirmations; ++i) {
+    EXPECT_FALSE(imu.take({2, 0, 0}, kNew + i)) << i;
+  }
+  EXPECT_TRUE(imu.take({3, 0, 0}, kNew + 100));
+  EXPECT_EQ(imu.time(), kNew + 100);
+  EXPECT_TRUE(imu.take({4, 0, 0}, kNew + 101));
+  EXPECT_FALSE(imu.take({5, 0, 0}, kNew)) << "of one step only";
+}
+
+TEST(ImuMonitor, FollowsNoStragglersAndNoSecondSource) {
+  constexpr Nanoseconds kOld = 100 * kNewStart, kBehind = kOld - kNewStart / 2;
+  ImuMonitor imu;
+  imu.take({1, 0, 0}, kOld);
+  for (int i = 1; i < 10; ++i) EXPECT_FALSE(imu.take({2, 0, 0}, kBehind - i)) << "back and back";
+  for (int i = 1; i < 10; ++i) {
+    EXPECT_FALSE(imu.take({2, 0, 0}, kBehind + i)) << "in turns with the first one";
+    EXPECT_TRUE(imu.take({1, 0, 0}, kOld + i));
+  }
+  EXPECT_EQ(imu.dropped(), 18);
+}
+
 TEST(ImuMonitor, GivesNoSampleOfTheOldTime) {
   ImuMonitor imu;
   imu.take({1, 0, 0}, 100 * kNewStart);

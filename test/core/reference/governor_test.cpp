@@ -122,6 +122,30 @@ TEST(Governor, IsNeverFurtherAheadThanTheLead) {
   }
 }
 
+TEST(Governor, IsNeverFurtherAboveThanTheLead) {
+  ReferenceGovernor governor({});
+  governor.restart(at({0.0, 0.0, 5.0}));
+  const SetPoint here = at({0.0, 0.0, 5.0});
+  for (const double height : {5.0, 2.0, 9.0}) {  // the vehicle falls, and is lifted
+    const SetPoint& now = governor.follow(here, {0.0, 0.0, height}, kPlenty, kNoFloor, 0.01);
+    ASSERT_LE(std::abs(now.position.z() - height), 1.0 + 1e-9) << height;
+  }
+}
+
+TEST(Governor, RestsAtTheFloorWhateverTheSpeedWantedBelow) {
+  ReferenceGovernor governor({});
+  governor.restart(at({0.0, 0.0, 2.0}));
+  SetPoint wanted = at({0.0, 0.0, -5.0});
+  wanted.velocity.z() = -1.0;
+  wanted.acceleration.z() = -1.0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d here = governor.setPoint().position;
+    ASSERT_GE(governor.follow(wanted, here, kPlenty, 0.5, 0.01).position.z(), 0.49);
+  }
+  EXPECT_NEAR(governor.setPoint().position.z(), 0.5, 1e-6);
+  EXPECT_NEAR(governor.setPoint().velocity.z(), 0.0, 1e-6);
+}
+
 TEST(Governor, StaysAboveTheFloorAndTurnsTheShortWay) {
   ReferenceGovernor governor({});
   SetPoint start = at({0.0, 0.0, 2.0});
