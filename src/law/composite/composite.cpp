@@ -6,7 +6,7 @@
 
 #include "adaptive_quadrotor_control/law/composite/prediction.h"
 #include "adaptive_quadrotor_control/law/saturation.h"
-#include "law/composite/within.h"
+#include "law/within.h"
 
 namespace aqc {
 namespace {
