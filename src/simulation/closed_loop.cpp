@@ -5,10 +5,10 @@
 
 namespace aqc {
 
-ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
+ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& airframe, const Vehicle& vehicle,
                        std::unique_ptr<ControlLaw> law, const PilotLimits& limits)
-    : plant_(makePlant(vehicle, scenario.world), scenario.world.cargo, scenario.world.plant_step, 0,
-             scenario.world.command_timeout.value_or(0)),
+    : plant_(makePlant(airframe, scenario.world), scenario.world.cargo, scenario.world.plant_step,
+             0, scenario.world.command_timeout.value_or(0)),
       pilot_(vehicle, std::move(law), scenario.world.control_period,
              scenario.world.sensors || limits.guard ? StepClock::Trigger::kTimer
                                                     : StepClock::Trigger::kOdometry,
