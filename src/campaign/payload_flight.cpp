@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adaptive_quadrotor_control/math/number_text.h"
+#include "adaptive_quadrotor_control/reference/circle.h"
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "campaign/dice.h"
@@ -55,30 +56,13 @@ void drawSteps(Dice& dice, PayloadFlight& flight) {
   flight.text = formatted("%d steps", steps);
 }
 
-// A circle through the place of the hover, whose rate grows as 3 x^2 - 2 x^3.
-SetPoint onCircle(double rate, double time) {
-  const double x = std::min(time / kSpinUp, 1.0);
-  const double angle =
-      rate * (kSpinUp * x * x * x * (1.0 - 0.5 * x) + std::max(time - kSpinUp, 0.0));
-  const double first = rate * x * x * (3.0 - 2.0 * x);
-  const double second = rate * 6.0 * x * (1.0 - x) / kSpinUp;
-  const double third = x < 1.0 ? rate * 6.0 * (1.0 - 2.0 * x) / (kSpinUp * kSpinUp) : 0.0;
-  const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0.0);
-  const Eigen::Vector3d along(-out.y(), out.x(), 0.0);
-  SetPoint point;
-  point.position = Eigen::Vector3d(-kRadius, 0.0, kHeight) + kRadius * out;
-  point.velocity = kRadius * first * along;
-  point.acceleration = kRadius * (second * along - first * first * out);
-  point.jerk = kRadius * ((third - first * first * first) * along - 3.0 * first * second * out);
-  return point;
-}
-
 void drawCircle(Dice& dice, PayloadFlight& flight) {
   const double rate = dice.between(0.4, 1.0);
+  const Circle circle = {{0.0, 0.0, kHeight}, {-kRadius, 0.0}, rate, kSpinUp};
   const Nanoseconds start = fromSeconds(kTakenOff);
   const Nanoseconds period = flight.scenario.world.control_period;
   for (Nanoseconds time = start + period; time < flight.scenario.duration; time += period) {
-    flight.scenario.mission.set_points.push_back({time, onCircle(rate, toSeconds(time - start))});
+    flight.scenario.mission.set_points.push_back({time, onCircle(circle, toSeconds(time - start))});
   }
   flight.text = formatted("circle at %.3f rad/s", rate);
 }
