@@ -117,6 +117,7 @@ void drawSensors(Dice& dice, bool imu, PayloadFlight& flight) {
   const int late = 10 * dice.count(0, 2);
   sensors.odometry.delay = late * kMillisecond;
   sensors.imu.force_noise = 0.1;
+  sensors.imu.rate_noise = 0.01;
   if (!imu) sensors.imu.gaps = {TimeWindow()};
   flight.text += visual ? "; visual-inertial" : "; motion capture";
   flight.text += formatted(" %d ms late", late);

@@ -29,7 +29,7 @@ struct PayloadFlight {
 /// cm below, from 6 to 10 s until 18 to 24 s; from 8 to 20 s on there is a wind of up to 8 m/s.
 /// Motion capture (1 mm, 1 cm/s, 0.05 deg) or visual-inertial odometry (2 mm, 3 cm/s, 0.2 deg, and
 /// slowly 2 cm and 0.45 deg in all), 0, 10 or 20 ms late, and with it the body rate (0.01 rad/s);
-/// an accelerometer (0.1 m/s^2). Control runs at 250 Hz.
+/// an IMU (0.1 m/s^2, 0.01 rad/s). Control runs at 250 Hz.
 ///
 /// With everything wrong the airframe's force constant is 0.9 to 1.15 times what `vehicle` says,
 /// the lag of its rotors 0.6 to 1.6, its inertia 0.8 to 2 and its mass 0.95 to 1.1 times; each axis

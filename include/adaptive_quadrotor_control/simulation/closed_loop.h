@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "adaptive_quadrotor_control/flight/refusal.h"
@@ -27,12 +26,10 @@ class ClosedLoop {
  public:
   /// Throws std::invalid_argument for a plant step that TimedPlant refuses.
   ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<ControlLaw> law,
-             const PilotLimits& limits = {})
-      : ClosedLoop(scenario, vehicle, vehicle, std::move(law), limits) {}
-  /// The same with an `airframe` that is not what the pilot was told, `vehicle`; both have as many
-  /// rotors.
-  ClosedLoop(const Scenario& scenario, const Vehicle& airframe, const Vehicle& vehicle,
-             std::unique_ptr<ControlLaw> law, const PilotLimits& limits);
+             const PilotLimits& limits = {});
+  /// The vehicle that is flown is not the one that the pilot believes in (and `law` was made for).
+  ClosedLoop(const Scenario& scenario, const Vehicle& flown, const Vehicle& believed,
+             std::unique_ptr<ControlLaw> law, const PilotLimits& limits = {});
 
   bool done() const noexcept { return plant_.now() >= duration_; }
   /// One control step, then the plant until the next one. Throws std::invalid_argument for set
