@@ -12,19 +12,20 @@ add_library(aqc_figures ${figure_sources})
 target_link_libraries(aqc_figures PUBLIC aqc_report)
 aqc_batch(aqc_figures)
 
-# Fault flights by the thousand.
+# Random flights by the thousand.
 file(GLOB campaign_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/campaign/*.cpp)
 add_library(aqc_campaign ${campaign_sources})
 target_include_directories(aqc_campaign PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
 target_link_libraries(aqc_campaign PUBLIC aqc_core Threads::Threads)
 aqc_batch(aqc_campaign)
 
-foreach(program fly fault_flights vehicle_urdf)
+foreach(program fly fault_flights payload_flights vehicle_urdf)
   add_executable(${program} ${PROJECT_SOURCE_DIR}/src/apps/${program}.cpp)
   target_link_libraries(${program} aqc_figures CLI11::CLI11)
   install(TARGETS ${program} RUNTIME DESTINATION ${AQC_PROGRAM_DESTINATION})
 endforeach()
 target_link_libraries(fault_flights aqc_campaign)
+target_link_libraries(payload_flights aqc_campaign)
 install(TARGETS aqc_report aqc_figures aqc_campaign
   ARCHIVE DESTINATION ${AQC_LIB_DESTINATION}
   LIBRARY DESTINATION ${AQC_LIB_DESTINATION}

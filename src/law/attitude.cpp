@@ -4,9 +4,13 @@
 #include <cmath>
 
 #include "adaptive_quadrotor_control/math/rotations.h"
+#include "law/within.h"
 
 namespace aqc {
 namespace {
+
+constexpr double kMostTurn = 3.0;     // [rad/s]
+constexpr double kLeastForce = 1e-3;  // [N]: less has no direction to follow
 
 Eigen::Vector3d angleError(const Eigen::Matrix3d& relative, AttitudeErrorKind kind) {
   if (kind == AttitudeErrorKind::kThesis) {
@@ -47,6 +51,11 @@ AttitudeErrors attitudeErrors(const State& state, const Eigen::Matrix3d& desired
   // omega_d = R_d' (0, 0, dpsi_d), so R' R_d omega_d is the third row of R times the yaw rate.
   errors.rate = state.body_rate - R.row(2).transpose() * yaw_rate;
   return errors;
+}
+
+Eigen::Vector3d turnOf(const Eigen::Vector3d& force, const Eigen::Vector3d& change) noexcept {
+  const double norm = std::max(force.norm(), kLeastForce);
+  return within((force / norm).cross(change / norm), kMostTurn);
 }
 
 }  // namespace aqc

@@ -32,7 +32,8 @@ Wrench CascadedLaw::command(const Sensed& sensed, const SetPoint& set_point, dou
                                    state.velocity - set_point.velocity};
   const Eigen::Vector3d force = this->force(position, set_point);
   const Eigen::Matrix3d desired = desiredAttitude(force, set_point.yaw, limits_);
-  const AttitudeErrors attitude = attitudeErrors(state, desired, set_point.yaw_rate, error_kind_);
+  AttitudeErrors attitude = attitudeErrors(state, desired, set_point.yaw_rate, error_kind_);
+  if (turn_) attitude.rate -= state.attitude.conjugate() * *turn_;
   const Wrench wrench = {force.dot(state.attitude * Eigen::Vector3d::UnitZ()),
                          moment(state, attitude)};
 

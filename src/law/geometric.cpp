@@ -5,10 +5,11 @@
 
 namespace aqc {
 
-Geometric::Geometric(const ParameterReader& reader, const Vehicle& vehicle)
+Geometric::Geometric(const ParameterReader& reader, const Vehicle& vehicle, BodyRate follows)
     : CascadedLaw(reader),
       mass_(vehicle.mass),
       inertia_(vehicle.inertia),
+      follows_jerk_(follows == BodyRate::kJerk),
       position_gain_(
           reader.vector3({"position_gain", "k_x", "N/m", "stiffness of the position"}, kPush)),
       velocity_gain_(
@@ -19,9 +20,11 @@ Geometric::Geometric(const ParameterReader& reader, const Vehicle& vehicle)
                                 kPush)) {}
 
 Eigen::Vector3d Geometric::force(const PositionErrors& errors, const SetPoint& set_point) noexcept {
-  return mass_ * (set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ()) -
-         position_gain_.cwiseProduct(errors.position) -
-         velocity_gain_.cwiseProduct(errors.velocity);
+  const Eigen::Vector3d force =
+      mass_ * (set_point.acceleration + kGravity * Eigen::Vector3d::UnitZ()) -
+      position_gain_.cwiseProduct(errors.position) - velocity_gain_.cwiseProduct(errors.velocity);
+  if (follows_jerk_) turn_ = turnOf(force, mass_ * set_point.jerk);
+  return force;
 }
 
 Eigen::Vector3d Geometric::moment(const State& state, const AttitudeErrors& errors) noexcept {

@@ -7,6 +7,8 @@
 #include "adaptive_quadrotor_control/law/asmc.h"
 #include "adaptive_quadrotor_control/law/composite/composite.h"
 #include "adaptive_quadrotor_control/law/geometric.h"
+#include "adaptive_quadrotor_control/law/integral.h"
+#include "adaptive_quadrotor_control/law/l1.h"
 #include "adaptive_quadrotor_control/law/smc.h"
 #include "adaptive_quadrotor_control/law/switched/switched.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
@@ -33,7 +35,8 @@ std::pair<const std::string, Maker> entry() {
 // To add a law: write its class in a file of its own and add its line here.
 const std::map<std::string, Maker>& makers() {
   static const std::map<std::string, Maker> table = {
-      entry<Asmc>(), entry<Composite>(), entry<Geometric>(), entry<Smc>(), entry<Switched>(),
+      entry<Asmc>(), entry<Composite>(), entry<Geometric>(), entry<Integral>(),
+      entry<L1>(),   entry<Smc>(),       entry<Switched>(),
   };
   return table;
 }

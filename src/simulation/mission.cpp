@@ -8,6 +8,7 @@
 #include "adaptive_quadrotor_control/law/max_subsystems.h"
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
+#include "adaptive_quadrotor_control/reference/circle.h"
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
 #include "adaptive_quadrotor_control/reference/sampling.h"
 #include "adaptive_quadrotor_control/reference/time_allocation.h"
@@ -18,6 +19,7 @@ namespace aqc {
 namespace {
 
 const Range kYaw = Range::between(-3600.0, 3600.0);  // [deg]
+constexpr double kLeastRadius = 0.01;                // of a circle [m]
 
 std::string print(Nanoseconds time) {
   return numberText(toSeconds(time)) + " s";
@@ -51,6 +53,7 @@ class MissionBuilder {
         {"path", &MissionBuilder::path},
         {"hold", &MissionBuilder::hold},
         {"sine", &MissionBuilder::sine},
+        {"circle", &MissionBuilder::circle},
         {"attach", &MissionBuilder::attach},
         {"detach", &MissionBuilder::detach},
         {"wind", &MissionBuilder::event<&readWind>},
@@ -162,14 +165,50 @@ class MissionBuilder {
     return end;
   }
 
-  void sine(const ParameterReader& entry) {
-    const Nanoseconds start = beginLeg(entry);
+  // Where a leg that has a set point every period ends.
+  Nanoseconds readLegEnd(const ParameterReader& entry, Nanoseconds start) const {
     const Nanoseconds end = readEnd(entry, start);
     try {
       requireFewSetPoints(toSeconds(end - start), period_, room());
     } catch (const std::invalid_argument& error) {
       entry.refuse("until", std::string("is too late: ") + error.what() + before());
     }
+    return end;
+  }
+
+  // At rest from there on.
+  void endLeg(Nanoseconds end, const Eigen::Vector3d& place, double yaw) {
+    present_ = SetPoint();
+    present_.position = place;
+    present_.yaw = yaw;
+    mission_.set_points.push_back({end, present_});
+    leg_end_ = end;
+  }
+
+  // Around a centre at the height and the distance of where the vehicle should be.
+  void circle(const ParameterReader& entry) {
+    const Nanoseconds start = beginLeg(entry);
+    const Nanoseconds end = readLegEnd(entry, start);
+    const std::vector<double> centre = entry.numbers("centre", 2, kPlace);
+    const Circle circle = {present_.position,
+                           {centre[0], centre[1]},
+                           entry.number("angular_frequency", kAngularFrequency),
+                           entry.number("ease", kTime, 0.0)};
+    if ((circle.start.head<2>() - circle.centre).norm() < kLeastRadius) {
+      entry.refuseValue("centre", "away from where the entry before ends");
+    }
+    SetPoint point;
+    for (Nanoseconds time = start; time < end; time += period_) {
+      point = onCircle(circle, toSeconds(time - start));
+      point.yaw = present_.yaw;
+      mission_.set_points.push_back({time, point});
+    }
+    endLeg(end, onCircle(circle, toSeconds(end - start)).position, present_.yaw);
+  }
+
+  void sine(const ParameterReader& entry) {
+    const Nanoseconds start = beginLeg(entry);
+    const Nanoseconds end = readLegEnd(entry, start);
     const Eigen::Vector3d middle = entry.vector3("position", kPlace);
     const Eigen::Vector3d amplitude = entry.vector3("amplitude", kPlace);
     const double frequency = entry.number("angular_frequency", kAngularFrequency);
@@ -183,11 +222,7 @@ class MissionBuilder {
       point.jerk = amplitude * (-frequency * frequency * frequency * std::cos(phase));
       mission_.set_points.push_back({time, point});
     }
-    present_ = SetPoint();
-    present_.position = middle + amplitude * std::sin(frequency * toSeconds(end - start));
-    present_.yaw = point.yaw;
-    mission_.set_points.push_back({end, present_});
-    leg_end_ = end;
+    endLeg(end, middle + amplitude * std::sin(frequency * toSeconds(end - start)), point.yaw);
   }
 
   void hold(const ParameterReader& entry) { leg_end_ += fromSeconds(entry.number("for", kTime)); }

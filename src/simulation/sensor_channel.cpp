@@ -8,7 +8,7 @@
 namespace aqc {
 namespace {
 
-enum Stream : std::uint64_t { kOdometryNoise, kOdometryLink, kImuNoise };
+enum Stream : std::uint64_t { kOdometryNoise, kOdometryLink, kImuNoise, kOdometryWander };
 
 bool anyContains(const std::vector<TimeWindow>& windows, Nanoseconds time) {
   return std::any_of(windows.begin(), windows.end(),
@@ -20,6 +20,13 @@ Nanoseconds stampOf(Nanoseconds now, Nanoseconds age, const std::vector<StampErr
     if (error.window.contains(age)) now += error.offset;
   }
   return now;
+}
+
+// Turns an attitude by a small vector in B [rad].
+void turnLittle(const Eigen::Vector3d& angles, Eigen::Quaterniond& attitude) {
+  const Eigen::Vector3d half = 0.5 * angles;
+  attitude = attitude * Eigen::Quaterniond(1.0, half.x(), half.y(), half.z());
+  attitude.normalize();
 }
 
 // Whether a measurement is due at `now`; the next one is then due a period after it was.
@@ -38,8 +45,14 @@ OdometryChannel::OdometryChannel(const OdometryFaults& faults, std::uint64_t see
       due_(start),
       noise_(seed, kOdometryNoise),
       link_(seed, kOdometryLink),
+      slow_(seed, kOdometryWander),
+      wanders_(faults.wander.position > 0.0 || faults.wander.attitude > 0.0),
       jumped_(faults.jumps.size()),
-      last_arrival_(start) {}
+      last_arrival_(start) {
+  if (!wanders_) return;
+  wander_ = faults.wander.position * slow_.normal3();
+  lean_ = faults.wander.attitude * slow_.normal3();
+}
 
 void OdometryChannel::observe(const State& truth, Nanoseconds now) {
   if (!measures(now, faults_.period, due_)) return;
@@ -92,6 +105,7 @@ State OdometryChannel::measured(const State& truth, Nanoseconds age) {
     state.attitude = turn * state.attitude;
   }
   state.position += frame_.shift;
+  if (wanders_) addWander(state);
   addNoise(state);
   if (!anyContains(faults_.freezes, age)) {
     frozen_.reset();
@@ -113,12 +127,17 @@ void OdometryChannel::addNoise(State& state) {
   const OdometryNoise& sigma = faults_.noise;
   if (sigma.position > 0.0) state.position += sigma.position * noise_.normal3();
   if (sigma.velocity > 0.0) state.velocity += sigma.velocity * noise_.normal3();
-  if (sigma.attitude > 0.0) {
-    const Eigen::Vector3d half = 0.5 * sigma.attitude * noise_.normal3();
-    state.attitude = state.attitude * Eigen::Quaterniond(1.0, half.x(), half.y(), half.z());
-    state.attitude.normalize();
-  }
+  if (sigma.attitude > 0.0) turnLittle(sigma.attitude * noise_.normal3(), state.attitude);
   if (sigma.body_rate > 0.0) state.body_rate += sigma.body_rate * noise_.normal3();
+}
+
+void OdometryChannel::addWander(State& state) {
+  state.position += wander_;
+  turnLittle(lean_, state.attitude);
+  const double rest = std::exp(-toSeconds(faults_.period) / faults_.wander.time);
+  const double fresh = std::sqrt(1.0 - rest * rest);
+  wander_ = rest * wander_ + fresh * faults_.wander.position * slow_.normal3();
+  lean_ = rest * lean_ + fresh * faults_.wander.attitude * slow_.normal3();
 }
 
 void OdometryChannel::send(const State& state, Nanoseconds now) {

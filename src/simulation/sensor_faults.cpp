@@ -62,6 +62,12 @@ void readOdometry(const ParameterReader& reader, Nanoseconds control_period,
                       noise.angle("attitude_deg", Range::between(0.0, 90.0), 0.0),
                       noise.number("body_rate", kNoise, 0.0)};
   }
+  if (reader.has("wander")) {
+    const ParameterReader wander = reader.child("wander");
+    odometry.wander = {wander.number("position", kNoise, 0.0),
+                       wander.angle("attitude_deg", Range::between(0.0, 90.0), 0.0),
+                       wander.number("time", Range::positiveUpTo(1e6), odometry.wander.time)};
+  }
   if (reader.has("drift")) {
     const ParameterReader drift = reader.child("drift");
     odometry.position_drift = drift.number("position", kNoise, 0.0);

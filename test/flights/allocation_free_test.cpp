@@ -68,7 +68,10 @@ TEST_F(AllocationFree, ControlStepOfEveryLaw) {
     const test::HeapCounter counter;
     controller.step({states[0]}, nullptr, 0.01);
     for (std::size_t i = 0; i < states.size(); ++i) {
-      controller.step({states[i]}, &set_points[i], 0.01);
+      Sensed sensed = {states[i]};
+      if (i % 3 > 0) sensed.specific_force = Eigen::Vector3d(0.1, 0.0, 9.0);
+      if (i % 5 > 2) sensed.ages = {0.02, 0.01, 0.001};
+      controller.step(sensed, &set_points[i], 0.01);
     }
     controller.step({states[0]}, nullptr, 0.01);
     EXPECT_EQ(counter.count(), 0u) << name;

@@ -51,4 +51,8 @@ Eigen::Matrix3d desiredAttitude(const Eigen::Vector3d& force, double yaw,
 AttitudeErrors attitudeErrors(const State& state, const Eigen::Matrix3d& desired, double yaw_rate,
                               AttitudeErrorKind kind = AttitudeErrorKind::kThesis) noexcept;
 
+/// How fast the direction of `force` [N] turns while the force changes by `change` [N/s]:
+/// F x F' / |F|^2, at most 3 [rad/s].
+Eigen::Vector3d turnOf(const Eigen::Vector3d& force, const Eigen::Vector3d& change) noexcept;
+
 }  // namespace aqc

@@ -17,7 +17,7 @@ struct PositionErrors {
 /// gives the moment tau_q; the thrust is the part of tau_p along the body's z axis.
 class CascadedLaw : public ControlLaw {
  public:
-  Wrench command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept final;
+  Wrench command(const Sensed& sensed, const SetPoint& set_point, double dt) noexcept override;
   const Telemetry& telemetry() const noexcept final { return telemetry_; }
 
  protected:
@@ -33,6 +33,9 @@ class CascadedLaw : public ControlLaw {
 
   /// To write into, never to read from.
   Telemetry telemetry_;
+  /// For force() to set, of laws that follow it: how R_d is about to turn, beside the yaw, in W
+  /// [rad/s]. It is part of omega_d then.
+  std::optional<Eigen::Vector3d> turn_;
 
  private:
   TiltLimits limits_;

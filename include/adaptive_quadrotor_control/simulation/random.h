@@ -7,12 +7,22 @@
 
 namespace aqc {
 
+/// A seed of two numbers by SplitMix64 (Steele, Lea and Flood 2014): neighbouring ones become
+/// unlike seeds.
+inline std::uint64_t mixedSeed(std::uint64_t seed, std::uint64_t stream) {
+  std::uint64_t z = seed + (stream + 1) * 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
 /// Random numbers of a seed. The distributions of the standard library differ from one library to
 /// the next; these are the same on every platform, of an engine that the standard fixes.
 class Random {
  public:
   /// Streams of one seed are independent of each other.
-  explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : engine_(mixed(seed, stream)) {}
+  explicit Random(std::uint64_t seed, std::uint64_t stream = 0)
+      : engine_(mixedSeed(seed, stream)) {}
 
   /// In [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
@@ -36,14 +46,6 @@ class Random {
   }
 
  private:
-  // SplitMix64 (Steele, Lea and Flood 2014): neighbouring seeds become unlike ones.
-  static std::uint64_t mixed(std::uint64_t seed, std::uint64_t stream) {
-    std::uint64_t z = seed + (stream + 1) * 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-  }
-
   std::mt19937_64 engine_;
 };
 

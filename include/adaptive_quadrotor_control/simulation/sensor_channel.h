@@ -70,6 +70,7 @@ class OdometryChannel {
   void jump(Nanoseconds age, const Eigen::Vector3d& pivot);
   State measured(const State& truth, Nanoseconds age);
   void addNoise(State& state);
+  void addWander(State& state);
   void send(const State& state, Nanoseconds now);
 
   OdometryFaults faults_;
@@ -77,6 +78,10 @@ class OdometryChannel {
   Nanoseconds due_;
   Random noise_;
   Random link_;
+  Random slow_;
+  bool wanders_;
+  Eigen::Vector3d wander_ = Eigen::Vector3d::Zero();  // of the position [m]
+  Eigen::Vector3d lean_ = Eigen::Vector3d::Zero();    // of the attitude [rad]
   Frame frame_;
   std::vector<std::optional<Frame>> jumped_;  // by how much each jump that is on has moved it
   std::optional<State> frozen_;

@@ -27,6 +27,14 @@ struct OdometryNoise {
   double body_rate = 0.0;  ///< [rad/s]
 };
 
+/// Slow errors that come and go, as of visual-inertial odometry over known ground: a Gauss-Markov
+/// process of first order on each axis, in its steady state from the start.
+struct OdometryWander {
+  double position = 0.0;  ///< standard deviation on each axis of W [m]
+  double attitude = 0.0;  ///< about each axis of B [rad]
+  double time = 1.0;      ///< after which an error is forgotten, tau [s], > 0
+};
+
 /// The estimator's world moves against the true one: about the vertical through the vehicle, then
 /// along. Positions, velocities and attitudes stay consistent with each other.
 struct OdometryJump {
@@ -50,6 +58,7 @@ struct OdometryFaults {
   double duplicated = 0.0;  ///< share that arrives twice
   double reordered = 0.0;   ///< share that is one and a half periods late, after the next one
   OdometryNoise noise;
+  OdometryWander wander;
   double position_drift = 0.0;      ///< random walk, as of visual-inertial odometry [m/sqrt(s)]
   double yaw_drift = 0.0;           ///< [rad/sqrt(s)]
   std::vector<TimeWindow> gaps;     ///< nothing is measured
@@ -86,6 +95,7 @@ struct SensorFaults {
 ///       rate, delay, jitter       [Hz, s, s]; the rate is that of control when not given
 ///       dropped, duplicated, reordered       shares, 0 to 1
 ///       noise: {position, velocity, attitude_deg, body_rate}     standard deviations
+///       wander: {position, attitude_deg, time}   slow, bounded errors; time in s, 1 if not given
 ///       drift: {position, yaw_deg}           in a second; grows with the root of time
 ///       gaps, freezes, not_a_number: [{from, until}]
 ///       jumps: [{from, until, position: [x, y, z], yaw_deg}]     for ever without `until`

@@ -30,10 +30,8 @@ AppliedWrench::Impulse AppliedWrench::since(double age) const noexcept {
   return sum;
 }
 
-Wrench AppliedWrench::mean(double age, double span) const noexcept {
+Wrench AppliedWrench::mean(const Impulse& late, double age, double span) const noexcept {
   const Impulse whole = since(age + span);
-  if (age <= 0.0) return {whole.thrust / span, whole.moment / span};
-  const Impulse late = since(age);
   return {(whole.thrust - late.thrust) / span, (whole.moment - late.moment) / span};
 }
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "adaptive_quadrotor_control/law/composite/prediction.h"
 #include "adaptive_quadrotor_control/law/saturation.h"
-#include "law/composite/within.h"
+#include "law/within.h"
 
 namespace aqc {
 namespace {
@@ -73,13 +72,14 @@ Wrench Composite::command(const Sensed& sensed, const SetPoint& set_point, doubl
 void Composite::sense(const Sensed& sensed, double dt) noexcept {
   const Ages before = ages_;
   ages_ = agesOf(sensed.ages);
+  given_ = meanwhile(applied_, ages_);
   rate_ = within(sensed.state.body_rate, kFarthest);
   follows_ = followed_ && dt <= kLongest;
   // What was heard before is no news: its age grew as time went by.
   rate_elapsed_ = follows_ ? std::max(dt - (ages_.body_rate - before.body_rate), 0.0) : 0.0;
   if (follows_) {
     if (rate_elapsed_ > 0.0) {
-      mean_moment_ = applied_.mean(ages_.body_rate, rate_elapsed_).moment;
+      mean_moment_ = applied_.mean(given_.body_rate, ages_.body_rate, rate_elapsed_).moment;
     }
     moment_.see(rate_, mean_moment_, inertia_.value(), rate_elapsed_);
   } else {
@@ -94,8 +94,8 @@ void Composite::sense(const Sensed& sensed, double dt) noexcept {
     mass_.feel(*sensed.specific_force, thrust, attitude, std::min(dt, kLongest));
   } else {
     const double elapsed = follows_ ? std::max(dt - (ages_.pose - before.pose), 0.0) : 0.0;
-    const double thrust =
-        elapsed > 0.0 ? applied_.mean(ages_.pose, elapsed).thrust : applied_.now().thrust;
+    const double thrust = elapsed > 0.0 ? applied_.mean(given_.pose, ages_.pose, elapsed).thrust
+                                        : applied_.now().thrust;
     mass_.see(within(sensed.state.velocity, kFarthest),
               sensed.state.attitude * Eigen::Vector3d::UnitZ(), thrust, elapsed);
   }
@@ -104,8 +104,8 @@ void Composite::sense(const Sensed& sensed, double dt) noexcept {
 Composite::Motion Composite::predict(const Sensed& sensed) const noexcept {
   Motion now;
   const Eigen::Vector3d& inertia = inertia_.value();
-  now.state.body_rate = predictedRate(moment_, applied_, inertia, ages_.body_rate);
-  now.state.attitude = predictedAttitude(sensed.state.attitude, moment_, applied_, inertia, ages_);
+  now.state.body_rate = predictedRate(moment_, given_.body_rate, inertia, ages_.body_rate);
+  now.state.attitude = predictedAttitude(sensed.state.attitude, moment_, given_, inertia, ages_);
   now.attitude = now.state.attitude.toRotationMatrix();
   now.acceleration = now.attitude * mass_.specificForce(applied_.now().thrust) + bias_;
   if (mass_.seesOnly()) now.acceleration += mass_.force();

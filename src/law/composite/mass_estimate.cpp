@@ -5,8 +5,8 @@
 
 #include "adaptive_quadrotor_control/math/constants.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
-#include "law/composite/within.h"
 #include "law/gain_ranges.h"
+#include "law/within.h"
 
 namespace aqc {
 namespace {

@@ -3,23 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "adaptive_quadrotor_control/law/bearable.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "law/gain_ranges.h"
 
 namespace aqc {
 namespace {
-
-// What the rotors could just balance while they carry the vehicle, as shares of full thrust times
-// arm length, and of full thrust times drag moment per thrust.
-constexpr double kTiltShare = 0.085;
-constexpr double kYawShare = 0.45;
-
-Eigen::Vector3d mostMoment(const Vehicle& vehicle) {
-  double arm = 0.0;
-  for (const Rotor& rotor : vehicle.rotors) arm = std::max(arm, rotor.arm_length);
-  const double tilt = kTiltShare * vehicle.maxThrust() * arm;
-  return {tilt, tilt, kYawShare * vehicle.maxThrust() * vehicle.moment_constant};
-}
 
 LowPass lag(const ParameterReader& reader, std::size_t which) {
   const std::vector<double> bandwidth = reader.numbers(
@@ -31,7 +20,7 @@ LowPass lag(const ParameterReader& reader, std::size_t which) {
 }  // namespace
 
 MomentObserver::MomentObserver(const ParameterReader& reader, const Vehicle& vehicle)
-    : most_(mostMoment(vehicle)), tilt_lag_(lag(reader, 0)), yaw_lag_(lag(reader, 1)) {}
+    : most_(bearable(vehicle).moment), tilt_lag_(lag(reader, 0)), yaw_lag_(lag(reader, 1)) {}
 
 void MomentObserver::see(const Eigen::Vector3d& body_rate, const Eigen::Vector3d& moment,
                          const Eigen::Vector3d& inertia, double elapsed) noexcept {

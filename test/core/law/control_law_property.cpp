@@ -30,7 +30,7 @@ std::vector<Moment> anyFlight() {
 }
 
 std::string anyLaw() {
-  return *rc::gen::element<std::string>("asmc", "smc", "geometric", "composite");
+  return *rc::gen::element<std::string>("asmc", "smc", "geometric", "composite", "integral", "l1");
 }
 
 double anyReal(double low, double high) {

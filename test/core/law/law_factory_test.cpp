@@ -47,7 +47,7 @@ TEST(ControllerFactory, MakesEveryLawFromItsFile) {
 
 TEST(ControllerFactory, RefusesUnknownLaws) {
   expectRefused("asmc", "law: asmc", "law: magic",
-                {"'gains/law'", "'magic'", "one of asmc, composite, geometric, smc"});
+                {"'gains/law'", "'magic'", "one of asmc, composite, geometric, integral, l1, smc"});
   expectRefused("asmc", "law: asmc", "", {"'gains/law'", "missing"});
   expectRefused("asmc", "law: asmc", "law: [asmc]", {"'gains/law'", "a text"});
 }

@@ -70,7 +70,7 @@ class Flight {
 };
 
 TEST(Handover, SameLawWithTheSameGainsChangesNoBit) {
-  for (const std::string law : {"asmc", "smc", "geometric", "switched"}) {
+  for (const std::string law : {"asmc", "smc", "geometric", "switched", "integral", "l1"}) {
     // The lag of rotors at this rate topples what the switched law flies
     // (docs/switched_control.md).
     const bool ideal = law == "switched";
@@ -141,13 +141,14 @@ TEST_P(LawChange, DoesNotDropTheVehicle) {
   EXPECT_GT(flight.lowest(), height - change.drop);
 }
 
-INSTANTIATE_TEST_SUITE_P(Handover, LawChange,
-                         ::testing::Values(Change{"geometric", "asmc", 0.0, 0.05},
-                                           Change{"smc", "asmc", 0.4, 0.1},
-                                           Change{"geometric", "asmc", 0.15, 0.05},
-                                           Change{"asmc", "geometric", 0.0, 0.05},
-                                           Change{"asmc", "smc", 0.3, 0.1},
-                                           Change{"geometric", "smc", 0.0, 0.05}));
+INSTANTIATE_TEST_SUITE_P(
+    Handover, LawChange,
+    ::testing::Values(Change{"geometric", "asmc", 0.0, 0.05}, Change{"smc", "asmc", 0.4, 0.1},
+                      Change{"geometric", "asmc", 0.15, 0.05},
+                      Change{"asmc", "geometric", 0.0, 0.05}, Change{"asmc", "smc", 0.3, 0.1},
+                      Change{"geometric", "smc", 0.0, 0.05}, Change{"asmc", "integral", 0.3, 0.1},
+                      Change{"asmc", "l1", 0.3, 0.1}, Change{"integral", "asmc", 0.3, 0.1},
+                      Change{"l1", "asmc", 0.3, 0.1}));
 
 TEST(Handover, IsRefusedWhereNoLawIsSure) {
   Telemetry calm;

@@ -215,7 +215,7 @@ TEST_P(NumberWalkTest, OneAccelerometerSample) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, NumberWalkTest,
                          ::testing::Combine(::testing::Values("asmc", "smc", "geometric",
-                                                              "switched"),
+                                                              "switched", "integral", "l1"),
                                             ::testing::Bool()),
                          [](const auto& test) {
                            return std::string(std::get<0>(test.param)) +

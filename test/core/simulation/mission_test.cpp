@@ -145,6 +145,32 @@ TEST(Mission, SinesCarryTheirDerivativesAndEndAtRest) {
   EXPECT_EQ(mission.set_points.back().time, 4 * kSecond);
 }
 
+TEST(Mission, CirclesBeginWhereTheVehicleShouldBeAndEndAtRest) {
+  const Mission mission = read(R"(
+  - circle: {at: 1.0, until: 3.0, centre: [1, 0], angular_frequency: 2, ease: 1.0}
+  - step: {position: [1, 1, 1]}
+)");
+  ASSERT_EQ(mission.set_points.size(), 22u);
+  EXPECT_EQ((mission.set_points[0].set_point.position - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(),
+            0.0);
+  EXPECT_EQ(mission.set_points[0].set_point.velocity.norm(), 0.0);
+  const TimedSetPoint& sample = mission.set_points[15];
+  EXPECT_EQ(sample.time, kSecond + 3 * kSecond / 2);
+  // A turn of 2 (1.5 - 0.5) from (0, 2) on.
+  const Eigen::Vector3d out(-2.0 * std::sin(2.0), 2.0 * std::cos(2.0), 0.0);
+  EXPECT_LT((sample.set_point.position - Eigen::Vector3d(1.0, 0.0, 3.0) - out).norm(), 1e-14);
+  EXPECT_LT((sample.set_point.acceleration + 4.0 * out).norm(), 1e-14);
+  EXPECT_EQ(sample.set_point.yaw, 0.5) << "stays as it was";
+  const SetPoint& end = mission.set_points[20].set_point;
+  EXPECT_NEAR(end.position.x(), 1.0 - 2.0 * std::sin(3.0), 1e-14);
+  EXPECT_EQ(end.velocity.norm() + end.acceleration.norm() + end.jerk.norm(), 0.0);
+}
+
+TEST(Mission, RefusesCirclesAroundThePlaceItself) {
+  expectRefused("  - circle: {at: 1, until: 2, centre: [1, 2], angular_frequency: 1}\n",
+                {"'scenario/mission[0]/circle/centre'", "away from"});
+}
+
 TEST(Mission, SwitchesBodiesAndDisturbances) {
   const Mission mission = read(R"(
   - switch: {at: 1.0, subsystem: 2}

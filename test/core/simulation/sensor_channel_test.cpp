@@ -67,6 +67,28 @@ TEST(OdometryChannel, DelaysExactlyAndTheStampIsThatOfTheMeasurement) {
   }
 }
 
+// Of independent vehicles: as large at the start as later, the same in a third of tau by exp(-1/3).
+TEST(OdometryChannel, WandersSlowlyAndWithinBounds) {
+  OdometryFaults faults = perfect();
+  faults.wander = {0.02, 0.005, 0.3};
+  double first = 0.0, last = 0.0, both = 0.0, lean = 0.0;
+  constexpr int kVehicles = 2000;
+  for (std::uint64_t seed = 1; seed <= kVehicles; ++seed) {
+    const std::vector<OdometryMessage> messages = heard(faults, 11, seed);
+    const Eigen::Vector3d one = messages.front().state.position - somewhere().position;
+    const Eigen::Vector3d other = messages.back().state.position - somewhere().position;
+    first += one.squaredNorm() / (3 * kVehicles);
+    last += other.squaredNorm() / (3 * kVehicles);
+    both += one.dot(other) / (3 * kVehicles);
+    const double angle = test::angleBetween(messages.back().state.attitude, somewhere().attitude);
+    lean += angle * angle / (3 * kVehicles);
+  }
+  EXPECT_NEAR(std::sqrt(first), 0.02, 0.0006);
+  EXPECT_NEAR(std::sqrt(last), 0.02, 0.0006);
+  EXPECT_NEAR(both / last, std::exp(-1.0 / 3.0), 0.04);
+  EXPECT_NEAR(std::sqrt(lean), 0.005, 0.00015);
+}
+
 TEST(OdometryChannel, JitterStretchesTheDelayButKeepsTheOrder) {
   OdometryFaults faults = perfect();
   faults.jitter = 40 * kMillisecond;

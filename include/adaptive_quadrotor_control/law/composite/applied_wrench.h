@@ -28,7 +28,9 @@ class AppliedWrench {
   /// Over the last `age` seconds (>= 0).
   Impulse since(double age) const noexcept;
   /// On average over the `span` seconds (> 0) that ended `age` seconds (>= 0) ago.
-  Wrench mean(double age, double span) const noexcept;
+  Wrench mean(double age, double span) const noexcept { return mean(since(age), age, span); }
+  /// The same, where `late` is since(age) already.
+  Wrench mean(const Impulse& late, double age, double span) const noexcept;
 
  private:
   struct Step {

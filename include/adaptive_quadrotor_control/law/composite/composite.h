@@ -9,6 +9,7 @@
 #include "adaptive_quadrotor_control/law/composite/inertia_estimate.h"
 #include "adaptive_quadrotor_control/law/composite/mass_estimate.h"
 #include "adaptive_quadrotor_control/law/composite/moment_observer.h"
+#include "adaptive_quadrotor_control/law/composite/prediction.h"
 #include "adaptive_quadrotor_control/law/composite/thrust_share.h"
 #include "adaptive_quadrotor_control/law/control_law.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
@@ -103,6 +104,7 @@ class Composite final : public ControlLaw {
   // What the rotors do, and what was sensed last.
   AppliedWrench applied_;
   Ages ages_;
+  Meanwhile given_;
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();         // as it was sensed
   Eigen::Vector3d mean_moment_ = Eigen::Vector3d::Zero();  // since the rate before
   double rate_elapsed_ = 0.0;                              // since then [s]

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <limits>
 
-#include "adaptive_quadrotor_control/law/composite/low_pass.h"
+#include "adaptive_quadrotor_control/law/low_pass.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 
 namespace aqc {

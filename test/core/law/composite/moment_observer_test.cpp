@@ -79,11 +79,13 @@ TEST_F(MomentObserverTest, RateAndAttitudeArePredictedOverTheirAges) {
   turn(0, 0.03, 0.01, 500);
   const double a = 0.04 / inertia_.x();
   const double w = observer_.rate().x();
-  EXPECT_NEAR(predictedRate(observer_, applied, inertia_, 0.02).x(), w + a * 0.02, 1e-6);
-  EXPECT_EQ(predictedRate(observer_, applied, inertia_, 0.0).x(), w);
+  EXPECT_NEAR(predictedRate(observer_, applied.since(0.02), inertia_, 0.02).x(), w + a * 0.02,
+              1e-6);
+  EXPECT_EQ(predictedRate(observer_, {}, inertia_, 0.0).x(), w);
   const auto turned = [&](double pose, double rate) {
+    const Ages ages = {pose, rate, 0.0};
     const Eigen::Quaterniond now = predictedAttitude(Eigen::Quaterniond::Identity(), observer_,
-                                                     applied, inertia_, {pose, rate, 0.0});
+                                                     meanwhile(applied, ages), inertia_, ages);
     return 2.0 * std::atan2(now.x(), now.w());
   };
   const double whole = 2.0 * M_PI;
