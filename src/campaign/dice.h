@@ -8,6 +8,8 @@
 
 namespace aqc {
 
+constexpr double kFlatBox = 0.05;  ///< height of a drawn payload: it lies between the feet [m]
+
 /// Even numbers of a seed.
 class Dice {
  public:

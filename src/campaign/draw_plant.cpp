@@ -7,8 +7,6 @@
 namespace aqc {
 namespace {
 
-constexpr double kFlatBox = 0.05;  // height of a payload, between the feet [m]
-
 std::string drawWind(const Draw& draw) {
   Eigen::Vector3d wind = draw.dice.between(0.0, 8.0) * draw.dice.direction();
   wind.z() *= 0.25;

@@ -7,8 +7,6 @@
 namespace aqc {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 // Of the odometry all the time.
 
 std::string drawNoise(const Draw& draw) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive_quadrotor_control/math/constants.h"
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/reference/circle.h"
 #include "adaptive_quadrotor_control/reference/minimum_snap.h"
@@ -22,9 +23,7 @@ constexpr double kRadius = 2.0;     // of the circle [m]
 constexpr double kSpinUp = 2.0;     // until the circle has its rate [s]
 constexpr double kLowest = 1.0;     // of steps [m]: a payload hangs 0.3 m below
 constexpr double kHighest = 5.0;
-constexpr double kFlatBox = 0.05;  // height of a payload [m]
 constexpr Nanoseconds kMillisecond = 1'000'000;
-constexpr double kDegree = M_PI / 180.0;
 const double kRoot3 = std::sqrt(3.0);
 
 void takeOff(PayloadFlight& flight) {

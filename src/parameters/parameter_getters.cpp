@@ -4,11 +4,11 @@
 
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 
+#include "adaptive_quadrotor_control/math/constants.h"
+
 // The getters of ParameterReader.
 namespace aqc {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;  // [rad]
 
 std::string join(const std::vector<std::string>& words) {
   std::string all;

@@ -25,7 +25,7 @@ class ParameterReader;
 /// linear is the filtered derivative of the velocity.
 class Switched final : public ControlLaw {
  public:
-  static constexpr double kSteepest = 85.0 * M_PI / 180.0;  ///< pitch [rad]
+  static constexpr double kSteepest = 85.0 * kDegree;  ///< pitch [rad]
 
   /// Names and meaning: config/controller/switched.yaml. Of `vehicle` the law uses the arm length l
   /// of its first rotor. Throws ParameterError.
