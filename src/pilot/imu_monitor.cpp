@@ -2,13 +2,16 @@
 
 namespace aqc {
 
-bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept {
+bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time,
+                      const std::optional<Eigen::Vector3d>& body_rate) noexcept {
   const bool late = started_ && time < time_ && !startedAnew(time_, time, new_start_);
   if (!specific_force.allFinite() || late) {
     ++dropped_;
     return false;
   }
   specific_force_ = specific_force;
+  body_rate_ = body_rate;
+  if (body_rate_ && !body_rate_->allFinite()) body_rate_.reset();
   time_ = time;
   started_ = true;
   return true;

@@ -7,9 +7,13 @@ namespace aqc {
 
 ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& vehicle,
                        std::unique_ptr<ControlLaw> law, const PilotLimits& limits)
-    : plant_(makePlant(vehicle, scenario.world), scenario.world.cargo, scenario.world.plant_step, 0,
+    : ClosedLoop(scenario, vehicle, vehicle, std::move(law), limits) {}
+
+ClosedLoop::ClosedLoop(const Scenario& scenario, const Vehicle& flown, const Vehicle& believed,
+                       std::unique_ptr<ControlLaw> law, const PilotLimits& limits)
+    : plant_(makePlant(flown, scenario.world), scenario.world.cargo, scenario.world.plant_step, 0,
              scenario.world.command_timeout.value_or(0)),
-      pilot_(vehicle, std::move(law), scenario.world.control_period,
+      pilot_(believed, std::move(law), scenario.world.control_period,
              scenario.world.sensors || limits.guard ? StepClock::Trigger::kTimer
                                                     : StepClock::Trigger::kOdometry,
              limits),
@@ -40,7 +44,7 @@ void ClosedLoop::takeOff() {
 
 void ClosedLoop::feelImu(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
                          Nanoseconds stamp) {
-  if (pilot_.guard() != nullptr) {
+  if (pilot_.guard() != nullptr || pilot_.law().usesGyroscope()) {
     pilot_.hear(specific_force, body_rate, stamp);
   } else {
     pilot_.hear(specific_force, stamp);

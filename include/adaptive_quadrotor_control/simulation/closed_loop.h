@@ -27,6 +27,9 @@ class ClosedLoop {
   /// Throws std::invalid_argument for a plant step that TimedPlant refuses.
   ClosedLoop(const Scenario& scenario, const Vehicle& vehicle, std::unique_ptr<ControlLaw> law,
              const PilotLimits& limits = {});
+  /// The vehicle that is flown is not the one that the pilot believes in (and `law` was made for).
+  ClosedLoop(const Scenario& scenario, const Vehicle& flown, const Vehicle& believed,
+             std::unique_ptr<ControlLaw> law, const PilotLimits& limits = {});
 
   bool done() const noexcept { return plant_.now() >= duration_; }
   /// One control step, then the plant until the next one. Throws std::invalid_argument for set

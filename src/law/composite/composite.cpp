@@ -274,6 +274,7 @@ std::vector<AdaptiveQuantity> Composite::adaptiveQuantities() const {
 
 void Composite::report() noexcept {
   telemetry_.mass_estimate = mass_.learnedMass();
+  telemetry_.weighed_mass = mass_.weighed();
   telemetry_.adaptive.resize(17);
   telemetry_.adaptive << gains_[0].value(), gains_[1].value(), turn_gains_[0].value(),
       turn_gains_[1].value(), turn_gains_[2].value(), mass_.force(), bias_, moment_.moment(),
