@@ -8,7 +8,7 @@
 namespace aqc {
 namespace {
 
-constexpr Nanoseconds kOverload = 400'000'000;
+constexpr Nanoseconds kOverload = 420'000'000;
 
 Health judged(double value, const Threshold& threshold) {
   if (!(value <= threshold.error)) return Health::kError;  // not a number, too

@@ -56,7 +56,7 @@ class FlightMonitor {
   /// A control step at `now`. Only steps that fly tell about rotors and mass.
   void countStep(Nanoseconds now, bool flying, const Telemetry& telemetry, bool saturated,
                  const Load& load) noexcept;
-  /// For 0.4 s without a break the load has been above MonitorLimits::lift: a payload that swings,
+  /// For 0.42 s without a break the load has been above MonitorLimits::lift: a payload that swings,
   /// whose pull comes and goes, is none that cannot be lifted.
   bool overloaded() const noexcept { return overloaded_; }
 

@@ -55,10 +55,11 @@ void MassEstimate::watchLift(double thrust, double lift) noexcept {
   values_.lifted = learned_.lifted || thrust > kLiftedShare * weight;
 }
 
-// Goes a share of the way to what the vehicle seems to weigh now [kg].
-void MassEstimate::weigh(double mass, double share) noexcept {
+// Goes a share of the way to what the vehicle seems to weigh now [kg], and always fast to what is
+// told of it.
+void MassEstimate::weigh(double mass, double share, double dt) noexcept {
   values_.mass = within(values_.mass + share * (mass - values_.mass));
-  values_.weighed += share * (std::min(mass, kMostWeighed * liftable_) - values_.weighed);
+  values_.weighed += mass_lag_.share(dt) * (std::min(mass, kMostWeighed * liftable_) - values_.weighed);
 }
 
 void MassEstimate::feel(const Eigen::Vector3d& felt, double thrust, const Eigen::Matrix3d& attitude,
@@ -80,7 +81,7 @@ void MassEstimate::feel(const Eigen::Vector3d& felt, double thrust, const Eigen:
   if (!values_.lifted) return;
   const double lift = values_.felt.z();
   if (values_.thrust > kLeastThrust * empty_mass_ * kGravity && lift > kLeastLift * kGravity) {
-    weigh(values_.thrust / lift, mass_lag_.share(dt));
+    weigh(values_.thrust / lift, mass_lag_.share(dt), dt);
   }
   const Eigen::Vector3d sideways =
       attitude.leftCols<2>() * values_.felt.head<2>();  // no rotor pushes there
@@ -110,7 +111,7 @@ void MassEstimate::see(const Eigen::Vector3d& velocity, const Eigen::Vector3d& z
   const double lift = thrust / values_.mass + z_body.dot(values_.force);
   if (thrust < kLeastThrust * empty_mass_ * kGravity || lift < kLeastLift * kGravity) return;
   const double old = values_.mass;
-  weigh(thrust / lift, shift_lag_.share(elapsed));
+  weigh(thrust / lift, shift_lag_.share(elapsed), elapsed);
   values_.force += (thrust / old - thrust / values_.mass) * z_body;
 }
 

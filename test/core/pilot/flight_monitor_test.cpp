@@ -102,10 +102,10 @@ TEST_F(FlightMonitorTest, WeighsThePayload) {
   EXPECT_EQ(judge("Payload").health, Health::kError);
 }
 
-// 0.4 s are 100 steps, between the first and the last of which as much goes by as they last.
+// 0.42 s are 105 steps, between the first and the last of which as much goes by as they last.
 TEST_F(FlightMonitorTest, NamesAnOverloadThatStays) {
   load_ = {3.1, 2.8};
-  fly(100);
+  fly(105);
   EXPECT_FALSE(monitor_.overloaded());
   expect(judge("Payload"), Health::kWarn, "3.10 kg of 2.80 kg");
   fly(1);

@@ -69,7 +69,7 @@ class MassEstimate {
     bool lifted = false;
   };
   void watchLift(double thrust, double lift) noexcept;
-  void weigh(double mass, double share) noexcept;
+  void weigh(double mass, double share, double dt) noexcept;
   double within(double mass) const noexcept;
 
   double empty_mass_;
