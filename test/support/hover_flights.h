@@ -1,7 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "adaptive_quadrotor_control/simulation/closed_loop.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "support/fixtures.h"
 
@@ -79,5 +85,78 @@ inline Scenario stepping(double seconds) {
   }
   return scenario;
 }
+
+/// The sensors as they are, but the IMU is silent, or odometry is late.
+inline Scenario sensing(Scenario scenario, bool imu, Nanoseconds delay) {
+  SensorFaults faults;
+  faults.odometry.period = faults.imu.period = scenario.world.control_period;
+  faults.odometry.delay = delay;
+  if (!imu) faults.imu.gaps = {TimeWindow()};
+  scenario.world.sensors = faults;
+  return scenario;
+}
+
+struct Errors {
+  double z = 0.0;     // largest ones [cm]
+  double side = 0.0;  // horizontally
+  double square = 0.0;
+  int count = 0;
+  double rms() const { return std::sqrt(square / count); }
+};
+
+/// The true errors of a flight under `composite`, made for `believed`, within a window [s].
+class Flown {
+ public:
+  Flown(const Scenario& scenario, const Vehicle& flown, const Vehicle& believed)
+      : period_(toSeconds(scenario.world.control_period)) {
+    ClosedLoop loop(scenario, flown, believed, lawNamed("composite", believed));
+    while (!loop.done()) {
+      const State state = loop.plant().plant().state();
+      loop.advance();
+      errors_.push_back(100.0 * (state.position - loop.pilot().goal().position));
+      tilts_.push_back(std::acos(std::min((state.attitude * Eigen::Vector3d::UnitZ()).z(), 1.0)));
+      overloaded_.push_back(loop.pilot().overloaded());
+    }
+    crashed_ = loop.plant().crashTime().has_value();
+  }
+  Flown(const Scenario& scenario, const std::string& vehicle)
+      : Flown(scenario, vehicleNamed(vehicle), vehicleNamed(vehicle)) {}
+
+  Errors within(double from, double until) const {
+    Errors errors;
+    for (std::size_t i = at(from); i < at(until); ++i) {
+      errors.z = std::max(errors.z, std::abs(errors_[i].z()));
+      errors.side = std::max(errors.side, errors_[i].head<2>().norm());
+      errors.square += errors_[i].squaredNorm();
+      ++errors.count;
+    }
+    return errors;
+  }
+  /// The largest one [deg].
+  double tilt(double from, double until) const {
+    double tilt = 0.0;
+    for (std::size_t i = at(from); i < at(until); ++i) tilt = std::max(tilt, tilts_[i]);
+    return tilt * 180.0 / M_PI;
+  }
+  /// When an overload was first told [s]; infinity: never.
+  double toldOverload() const {
+    for (std::size_t i = 0; i < overloaded_.size(); ++i) {
+      if (overloaded_[i]) return static_cast<double>(i) * period_;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+  bool crashed() const { return crashed_; }
+
+ private:
+  std::size_t at(double time) const {
+    return std::min(errors_.size(), static_cast<std::size_t>(time / period_));
+  }
+
+  std::vector<Eigen::Vector3d> errors_;
+  std::vector<double> tilts_;  // [rad]
+  std::vector<bool> overloaded_;
+  double period_;
+  bool crashed_ = false;
+};
 
 }  // namespace aqc::test
