@@ -300,6 +300,27 @@ TEST_F(CompositeTheorem, EachOfItsConstantsIsNeeded) {
   }
 }
 
+// The projections: what the accelerometer says wrongly is more than d_s may make good, and a
+// payload is heavier than the rotors lift.
+TEST(CompositeProjections, KeepTheEstimatesWithinTheirBounds) {
+  const Vehicle vehicle = test::vehicleNamed("pelican");
+  Scenario scenario = test::sensing(test::carrying(3.0, 0.0, {4.0, 20.0}, 5.0), true, 0);
+  scenario.world.sensors->imu.force_bias.x() = 5.0;
+  scenario.world.start.position.z() = 20.0;
+  scenario.mission.set_points.front().set_point.position.z() = 20.0;
+  ClosedLoop loop(scenario, vehicle, test::lawNamed("composite", vehicle));
+  double bias = 0.0;
+  double mass = 0.0;
+  while (!loop.done()) {
+    loop.advance();
+    const Telemetry& seen = loop.pilot().law().telemetry();
+    bias = std::max(bias, seen.adaptive.segment<3>(8).norm());
+    mass = std::max(mass, seen.mass_estimate);
+  }
+  EXPECT_NEAR(bias, 3.0, 1e-9);
+  EXPECT_NEAR(mass, 0.98 * vehicle.maxThrust() / kGravity, 1e-9);
+}
+
 /// The numbers of the second half of the theorem, dV/dt <= -varrho V + D, each as it is printed.
 struct Ultimate {
   double sliding = 0.5;   // lambda |s|^2
