@@ -185,12 +185,12 @@ Finding FlightMonitor::judgePayload() const {
   const double liftable = load.liftable;
   if (was_overloaded_ || !std::isfinite(load_.share())) {
     finding.health = Health::kError;
-    finding.reason = formatted("lifts %.2f kg, carries %.2f kg: too heavy, or held down", liftable,
-                               carried);
+    finding.reason =
+        formatted("lifts %.2f kg, carries %.2f kg: too heavy, or held down", liftable, carried);
   } else if (load_.share() > limits_.lift.warn) {
     finding.health = Health::kWarn;
-    finding.reason = formatted("%.2f kg of %.2f kg lift are used: little is left to steer", carried,
-                               liftable);
+    finding.reason =
+        formatted("%.2f kg of %.2f kg lift are used: little is left to steer", carried, liftable);
   } else {
     finding.reason =
         formatted("vehicle and payload take %.2f kg of %.2f kg lift", carried, liftable);

@@ -7,12 +7,12 @@
 namespace aqc {
 namespace {
 
-constexpr double kSmoothing = 0.1;  // [s]
+constexpr double kMomentSmoothing = 0.1;  // [s]
 
 }  // namespace
 
 void LoadWatch::update(double carried, const Eigen::Vector3d& moment, double dt) noexcept {
-  moment_ += std::min(dt / kSmoothing, 1.0) * (moment - moment_);
+  moment_ += std::min(dt / kMomentSmoothing, 1.0) * (moment - moment_);
   load_ = {carried, rotors_.mostThrust(moment_) / kGravity};
 }
 

@@ -22,8 +22,9 @@ class ImuMonitor {
   void forget() noexcept { started_ = usable_ = false; }
 
   /// A sample in B [m/s^2], and of an IMU with a gyroscope the body rate [rad/s] with it. False,
-  /// and it is dropped and counted, when the force is not finite or it is older than the one before,
-  /// unless so much that the clock was started anew. A rate that is not finite counts as none.
+  /// and it is dropped and counted, when the force is not finite or it is older than the one
+  /// before, unless so much that the clock was started anew. A rate that is not finite counts as
+  /// none.
   bool take(const Eigen::Vector3d& specific_force, Nanoseconds time,
             const std::optional<Eigen::Vector3d>& body_rate = std::nullopt) noexcept;
 
