@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace aqc {
 namespace {
@@ -57,6 +58,15 @@ Wrench RotorAllocation::wrench(const RotorArray& speeds) const noexcept {
   Eigen::Vector4d u = Eigen::Vector4d::Zero();
   for (Eigen::Index i = 0; i < speeds.size(); ++i) u += forward_.col(i) * (speeds[i] * speeds[i]);
   return {u[0], u.tail<3>()};
+}
+
+double RotorAllocation::mostThrust(const Eigen::Vector3d& moment) const noexcept {
+  double most = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < inverse_.rows(); ++i) {
+    const double tilt = inverse_(i, 1) * moment.x() + inverse_(i, 2) * moment.y();
+    most = std::min(most, (max_squared_speed_ - tilt) / inverse_(i, 0));
+  }
+  return std::max(most, 0.0);
 }
 
 void RotorAllocation::fit(const Wrench& request, RotorArray& squared) const noexcept {

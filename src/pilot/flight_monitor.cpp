@@ -8,6 +8,8 @@
 namespace aqc {
 namespace {
 
+constexpr Nanoseconds kOverload = 420'000'000;
+
 Health judged(double value, const Threshold& threshold) {
   if (!(value <= threshold.error)) return Health::kError;  // not a number, too
   return value > threshold.warn ? Health::kWarn : Health::kOk;
@@ -19,8 +21,8 @@ double share(std::uint32_t part, std::uint32_t whole) {
 
 }  // namespace
 
-FlightMonitor::FlightMonitor(Nanoseconds period, double lift_limit, const MonitorLimits& limits)
-    : period_(period), lift_limit_(lift_limit), limits_(limits) {}
+FlightMonitor::FlightMonitor(Nanoseconds period, const MonitorLimits& limits)
+    : period_(period), limits_(limits) {}
 
 void FlightMonitor::countOdometry(Nanoseconds stamp, Nanoseconds now) noexcept {
   odometry_stamp_ = stamp;
@@ -29,7 +31,7 @@ void FlightMonitor::countOdometry(Nanoseconds stamp, Nanoseconds now) noexcept {
 }
 
 void FlightMonitor::countStep(Nanoseconds now, bool flying, const Telemetry& telemetry,
-                              bool saturated) noexcept {
+                              bool saturated, const Load& load) noexcept {
   if (step_time_ >= 0 && now > step_time_) {
     const Nanoseconds interval = now - step_time_;
     ++intervals_;
@@ -38,11 +40,19 @@ void FlightMonitor::countStep(Nanoseconds now, bool flying, const Telemetry& tel
   }
   step_time_ = now;
   flying_ = flying;
+  load_ = load;
+  const bool heavy = flying && load.share() > limits_.lift.error;
+  if (!heavy) heavy_since_ = -1;
+  if (heavy && heavy_since_ < 0) heavy_since_ = now;
+  overloaded_ = heavy && now - heavy_since_ >= kOverload;
+  if (overloaded_) {
+    was_overloaded_ = true;
+    overload_ = load;
+  }
   if (!flying) return;
   ++flying_steps_;
   if (saturated) ++saturated_steps_;
   distance_ = telemetry.position_error.norm();
-  mass_ = telemetry.liftedMass();
 }
 
 std::vector<std::string> FlightMonitor::names() {
@@ -57,6 +67,7 @@ std::vector<Finding> FlightMonitor::judge(Nanoseconds now, double silence) {
   for (std::size_t i = 0; i < findings.size(); ++i) findings[i].name = all[i];
   intervals_ = odometry_ = dropped_odometry_ = dropped_set_points_ = new_starts_ = 0;
   flying_steps_ = saturated_steps_ = 0;
+  was_overloaded_ = overloaded_;
   interval_sum_ = longest_interval_ = oldest_odometry_ = 0;
   return findings;
 }
@@ -169,20 +180,23 @@ Finding FlightMonitor::judgePayload() const {
     finding.reason = "nothing is lifted";
     return finding;
   }
-  const double used = mass_ / lift_limit_;
-  finding.health = judged(used, limits_.lift);
-  if (finding.health == Health::kOk) {
+  const Load& load = was_overloaded_ ? overload_ : load_;
+  const double carried = load.carried;
+  const double liftable = load.liftable;
+  if (was_overloaded_ || !std::isfinite(load_.share())) {
+    finding.health = Health::kError;
     finding.reason =
-        formatted("vehicle and payload take %.2f kg of %.2f kg lift", mass_, lift_limit_);
-  } else if (finding.health == Health::kWarn) {
+        formatted("lifts %.2f kg, carries %.2f kg: too heavy, or held down", liftable, carried);
+  } else if (load_.share() > limits_.lift.warn) {
+    finding.health = Health::kWarn;
     finding.reason =
-        formatted("%.2f kg of %.2f kg lift are used: little is left to steer", mass_, lift_limit_);
+        formatted("%.2f kg of %.2f kg lift are used: little is left to steer", carried, liftable);
   } else {
     finding.reason =
-        formatted("%.2f kg against %.2f kg lift: too heavy, or held down", mass_, lift_limit_);
+        formatted("vehicle and payload take %.2f kg of %.2f kg lift", carried, liftable);
   }
-  finding.values = {{"mass [kg]", formatted("%.3f", mass_)},
-                    {"lift limit [kg]", formatted("%.3f", lift_limit_)}};
+  finding.values = {{"mass [kg]", formatted("%.3f", carried)},
+                    {"lift limit [kg]", formatted("%.3f", liftable)}};
   return finding;
 }
 

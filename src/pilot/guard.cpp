@@ -231,7 +231,7 @@ Decision Guard::step(const Situation& now) noexcept {
   decision.forget = !now.law_finite;
   if (mode_ == Mode::kArmed) decision.idle = limits_.idle_speed;
   if (!flies()) return decision;
-  const double thrust_to_weight = max_thrust_ / (std::max(now.mass, 1e-3) * kGravity);
+  const double thrust_to_weight = max_thrust_ / (std::max(now.load.carried, 1e-3) * kGravity);
   aim(now);
   decision.set_point = &governor_.follow(goal_, state_.position, thrust_to_weight, floor(), now.dt);
   decision.learn = mayLearn(now);

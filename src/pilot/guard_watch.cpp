@@ -73,7 +73,7 @@ void Guard::watchAttitude(const Situation& now) noexcept {
 
 void Guard::watchLift(const Situation& now) noexcept {
   const bool flies = airborne() && mode_ != Mode::kLanding && mode_ != Mode::kDescending;
-  const bool heavy = flies && now.mass * kGravity > limits_.overload * max_thrust_;
+  const bool heavy = flies && now.load.carried > limits_.overload * now.load.liftable;
   const bool overload = overloaded_.update(heavy, now.dt, limits_.overload_time);
   const bool saturation =
       saturated_.update(flies && thrustIsShort(now), now.dt, limits_.saturation_time);

@@ -9,7 +9,8 @@ bool ImuMonitor::wasSetBack(Nanoseconds time) noexcept {
   return late_ >= kConfirmations;
 }
 
-bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept {
+bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time,
+                      const std::optional<Eigen::Vector3d>& body_rate) noexcept {
   const bool late = started_ && time < time_ && !startedAnew(time_, time, new_start_);
   if (!specific_force.allFinite() || (late && !wasSetBack(time))) {
     ++dropped_;
@@ -17,6 +18,8 @@ bool ImuMonitor::take(const Eigen::Vector3d& specific_force, Nanoseconds time) n
   }
   late_ = 0;
   specific_force_ = specific_force;
+  body_rate_ = body_rate;
+  if (body_rate_ && !body_rate_->allFinite()) body_rate_.reset();
   time_ = time;
   started_ = true;
   return true;

@@ -32,7 +32,8 @@ Pilot::Pilot(const Vehicle& vehicle, std::unique_ptr<ControlLaw> law, Nanosecond
     : limits_(limits),
       clock_(period, trigger, limits.clock),
       controller_(vehicle, std::move(law)),
-      monitor_(period, vehicle.maxThrust() / kGravity, limits.monitor),
+      monitor_(period, limits.monitor),
+      load_(vehicle),
       imu_(limits.specific_force_age, limits.clock.new_start),
       inertia_(vehicle.inertia.diagonal()),
       least_lag_(std::min(vehicle.time_constant_up, vehicle.time_constant_down)) {
@@ -141,17 +142,20 @@ Answer Pilot::hear(const Eigen::Vector3d& specific_force, const Eigen::Vector3d&
 }
 
 Answer Pilot::hear(const Eigen::Vector3d& specific_force, Nanoseconds stamp) noexcept {
-  if (const char* refusal = take(specific_force, Eigen::Vector3d::Zero(), stamp)) {
+  if (const char* refusal = take(specific_force, std::nullopt, stamp)) {
     return {Publish::kNothing, refusal, false};
   }
   return stepIfAwaited();
 }
 
 // Null, or why the sample is refused; nobody may have seen it then.
-const char* Pilot::take(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
+const char* Pilot::take(const Eigen::Vector3d& specific_force,
+                        const std::optional<Eigen::Vector3d>& body_rate,
                         Nanoseconds stamp) noexcept {
-  if (guarded_ && !guarded_->gate.believes(specific_force, body_rate)) return kUnfelt;
-  return imu_.take(specific_force, stamp) ? nullptr : "it is not finite or its stamp goes back";
+  const Eigen::Vector3d turning = body_rate.value_or(Eigen::Vector3d::Zero());
+  if (guarded_ && !guarded_->gate.believes(specific_force, turning)) return kUnfelt;
+  return imu_.take(specific_force, stamp, body_rate) ? nullptr
+                                                     : "it is not finite or its stamp goes back";
 }
 
 // The step that waited for a sample.

@@ -49,7 +49,7 @@ Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
       schedule_.pending() == 0 && (!guarded.streamed || guarded.plan_age > kStreamPause);
   now.plan_age = guarded.plan_age;
   now.given = &allocation();
-  now.mass = law().telemetry().liftedMass();
+  now.load = load_.load();
   now.missing_rotors = guarded.rotors.missing();
   now.law_finite = law().finite() && law().telemetry().force.allFinite();
   return now;
@@ -90,19 +90,16 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
   const Situation situation = this->situation(planned, dt);
   const Decision decision = guarded.guard.step(situation);
   switchSubsystem(now);
-  sense(now);
+  Sensed sensed = sense(now);
   if (decision.stands) guarded.reckoning.stand();
   if (decision.forget) controller_.forget();
   if (decision.set_point != nullptr) {
     set_point_ = *decision.set_point;
-    if (situation.state == &sensed_.state) {
-      controller_.step(sensed_, decision.set_point, dt, decision.learn);
-    } else {  // that of dead reckoning, which is of now
-      Sensed sensed = sensed_;
+    if (situation.state != &sensed_.state) {  // that of dead reckoning, which is of now
       sensed.state = *situation.state;
       sensed.ages.pose = sensed.ages.body_rate = 0.0;
-      controller_.step(sensed, decision.set_point, dt, decision.learn);
     }
+    controller_.step(sensed, decision.set_point, dt, decision.learn);
   } else {
     controller_.idle(decision.idle, dt);
   }
@@ -113,7 +110,7 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
   guarded.silence += dt;
   guarded.imu_silence += dt;
   guarded.plan_age += dt;
-  monitor_.countStep(now, flying(), law().telemetry(), allocation().saturated);
+  countStep(now, dt);
 }
 
 void Pilot::stepUnguarded(Nanoseconds now) noexcept {
@@ -121,9 +118,13 @@ void Pilot::stepUnguarded(Nanoseconds now) noexcept {
   if (set_point != nullptr) set_point_ = *set_point;
   const double dt = clock_.begin(now, set_point != nullptr);
   switchSubsystem(now);
-  sense(now);
-  const Allocation& allocation = controller_.step(sensed_, set_point, dt);
-  monitor_.countStep(now, flying(), law().telemetry(), allocation.saturated);
+  controller_.step(sense(now), set_point, dt);
+  countStep(now, dt);
+}
+
+void Pilot::countStep(Nanoseconds now, double dt) noexcept {
+  load_.update(law().telemetry().carriedMass(), controller_.given().moment, dt);
+  monitor_.countStep(now, flying(), law().telemetry(), allocation().saturated, load_.load());
 }
 
 void Pilot::switchSubsystem(Nanoseconds now) noexcept {
@@ -137,15 +138,24 @@ void Pilot::switchSubsystem(Nanoseconds now) noexcept {
   }
 }
 
-void Pilot::sense(Nanoseconds now) noexcept {
+// What the law gets: odometry with its age, the specific force when it is young enough and, of a
+// gyroscope that was asked no earlier, the body rate.
+Sensed Pilot::sense(Nanoseconds now) noexcept {
   const Nanoseconds odometry_time = clock_.odometryTime();
   sensed_.ages.pose = sensed_.ages.body_rate = toSeconds(now - odometry_time);
   sensed_.specific_force.reset();
-  if (!law().usesSpecificForce()) return;
+  if (!law().usesSpecificForce()) return sensed_;
   if (const Eigen::Vector3d* specific_force = imu_.at(odometry_time)) {
     sensed_.specific_force = *specific_force;
     sensed_.ages.specific_force = toSeconds(now - imu_.time());
   }
+  Sensed sensed = sensed_;
+  const Eigen::Vector3d* body_rate = law().usesGyroscope() ? imu_.bodyRate() : nullptr;
+  if (body_rate != nullptr && imu_.time() >= odometry_time) {
+    sensed.state.body_rate = *body_rate;
+    sensed.ages.body_rate = sensed.ages.specific_force;
+  }
+  return sensed;
 }
 
 }  // namespace aqc

@@ -44,7 +44,7 @@ void ClosedLoop::takeOff() {
 
 void ClosedLoop::feelImu(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
                          Nanoseconds stamp) {
-  if (pilot_.guard() != nullptr) {
+  if (pilot_.guard() != nullptr || pilot_.law().usesGyroscope()) {
     pilot_.hear(specific_force, body_rate, stamp);
   } else {
     pilot_.hear(specific_force, stamp);

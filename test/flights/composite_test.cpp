@@ -9,117 +9,17 @@
 #include "adaptive_quadrotor_control/simulation/closed_loop.h"
 #include "adaptive_quadrotor_control/simulation/scenario.h"
 #include "support/fixtures.h"
+#include "support/hover_flights.h"
 
 // What docs/composite.md says of the law's flights, each with the one set of gains.
 namespace aqc {
 namespace {
 
-/// At 250 Hz and at rest in a hover at 2 m.
-Scenario hover(double seconds) {
-  Scenario scenario;
-  scenario.duration = fromSeconds(seconds);
-  scenario.world.control_period = 4'000'000;
-  scenario.world.plant_step = 1'000'000;
-  scenario.world.start.position.z() = 2.0;
-  TimedSetPoint place;
-  place.set_point.position.z() = 2.0;
-  scenario.mission.set_points = {place};
-  return scenario;
-}
-
-Scenario carrying(double mass, double aside) {
-  Scenario scenario = hover(40.0);
-  AttachPayload attach;
-  attach.payload = test::box(mass);
-  attach.payload.offset.x() = aside;
-  scenario.mission.events = {{fromSeconds(10.0), attach}, {fromSeconds(25.0), DetachPayload{}}};
-  return scenario;
-}
-
-Scenario circling(double rate, double mass) {
-  Scenario scenario = hover(30.0);
-  scenario.mission.set_points.clear();
-  for (Nanoseconds time = 0; time < scenario.duration; time += scenario.world.control_period) {
-    const double angle = rate * toSeconds(time);
-    const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0.0);
-    const Eigen::Vector3d along(-out.y(), out.x(), 0.0);
-    SetPoint point;
-    point.position = 2.0 * out + Eigen::Vector3d(0.0, 0.0, 2.0);
-    point.velocity = 2.0 * rate * along;
-    point.acceleration = -2.0 * rate * rate * out;
-    point.jerk = -2.0 * rate * rate * rate * along;
-    scenario.mission.set_points.push_back({time, point});
-  }
-  scenario.world.start.position.x() = 2.0;
-  if (mass > 0.0) {
-    AttachPayload attach;
-    attach.payload = test::box(mass);
-    scenario.mission.events = {{fromSeconds(5.0), attach}};
-  }
-  return scenario;
-}
-
-Scenario blown() {
-  Scenario scenario = hover(30.0);
-  SetWind wind;
-  wind.velocity.x() = 8.0;
-  scenario.mission.events = {{fromSeconds(10.0), wind}};
-  return scenario;
-}
-
-/// The sensors as they are, but the IMU is silent, or odometry is late.
-Scenario sensing(Scenario scenario, bool imu, Nanoseconds delay) {
-  SensorFaults faults;
-  faults.odometry.period = faults.imu.period = scenario.world.control_period;
-  faults.odometry.delay = delay;
-  if (!imu) faults.imu.gaps = {TimeWindow()};
-  scenario.world.sensors = faults;
-  return scenario;
-}
-
-struct Errors {
-  double z = 0.0;     // largest ones [cm]
-  double side = 0.0;  // horizontally
-  double square = 0.0;
-  int count = 0;
-  double rms() const { return std::sqrt(square / count); }
-};
-
-/// The true errors of a flight within a window [s].
-class Flown {
- public:
-  Flown(const Scenario& scenario, const std::string& vehicle) {
-    const Vehicle airframe = test::vehicleNamed(vehicle);
-    ClosedLoop loop(scenario, airframe, test::lawNamed("composite", airframe));
-    while (!loop.done()) {
-      const Eigen::Vector3d position = loop.plant().plant().state().position;
-      loop.advance();
-      errors_.push_back(100.0 * (position - loop.pilot().goal().position));
-      heaviest_ = std::max(heaviest_, loop.pilot().law().telemetry().mass_estimate);
-    }
-    period_ = toSeconds(scenario.world.control_period);
-    crashed_ = loop.plant().crashTime().has_value();
-  }
-  Errors within(double from, double until) const {
-    Errors errors;
-    for (std::size_t i = static_cast<std::size_t>(from / period_);
-         i < std::min(errors_.size(), static_cast<std::size_t>(until / period_)); ++i) {
-      errors.z = std::max(errors.z, std::abs(errors_[i].z()));
-      errors.side = std::max(errors.side, errors_[i].head<2>().norm());
-      errors.square += errors_[i].squaredNorm();
-      ++errors.count;
-    }
-    return errors;
-  }
-  bool crashed() const { return crashed_; }
-  double heaviest() const { return heaviest_; }
-
- private:
-  std::vector<Eigen::Vector3d> errors_;
-  double period_ = 0.0;
-  double heaviest_ = 0.0;
-  bool crashed_ = false;
-};
+using test::carrying;
+using test::circling;
+using test::Errors;
+using test::Flown;
+using test::sensing;
 
 struct Limits {
   double peak, settled, drop, side;  // [cm]
@@ -176,7 +76,7 @@ TEST(CompositeFlight, FliesCircles) {
 
 TEST(CompositeFlight, HoldsAgainstWind) {
   for (const bool imu : {true, false}) {
-    const Flown flown(sensing(blown(), imu, 0), "pelican");
+    const Flown flown(sensing(test::blown(8.0, 10.0, 30.0), imu, 0), "pelican");
     const Errors peak = flown.within(10.0, 20.0);
     const Errors settled = flown.within(25.0, 30.0);
     std::printf("wind 8 m/s, IMU %d: peak %.2f settled %.3f cm\n", imu, peak.side, settled.side);

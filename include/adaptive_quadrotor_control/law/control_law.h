@@ -33,6 +33,9 @@ struct Telemetry {
   Eigen::Quaterniond desired_attitude = Eigen::Quaterniond::Identity();  ///< R_d
   /// m-hat [kg]; not-a-number when the law estimates no mass.
   double mass_estimate = std::numeric_limits<double>::quiet_NaN();
+  /// What the law weighs, however heavy it is [kg]: m-hat before it is bounded by what the rotors
+  /// lift; not-a-number when it does not weigh.
+  double weighed_mass = std::numeric_limits<double>::quiet_NaN();
   /// In the order of ControlLaw::adaptiveQuantities().
   AdaptiveValues adaptive;
 
@@ -40,6 +43,10 @@ struct Telemetry {
   /// would hold up, which is the true one at rest.
   double liftedMass() const noexcept {
     return std::isfinite(mass_estimate) ? mass_estimate : force.z() / kGravity;
+  }
+  /// The mass [kg] that is weighed or, by a law that does not weigh, liftedMass().
+  double carriedMass() const noexcept {
+    return std::isfinite(weighed_mass) ? weighed_mass : liftedMass();
   }
 };
 
@@ -52,7 +59,7 @@ struct Ages {
 
 /// What is known of the vehicle when a command is due.
 struct Sensed {
-  State state = {};  ///< as it was measured, not predicted to now
+  State state = {};  ///< as it was measured, not predicted to now; its parts at times of their own
   /// What an accelerometer at the origin of B read, in B [m/s^2]: the force but gravity on a unit
   /// of mass. Nothing when there is none, or none that is young enough to be used.
   std::optional<Eigen::Vector3d> specific_force = std::nullopt;
@@ -137,6 +144,10 @@ class ControlLaw {
 
   /// Whether the law makes use of Sensed::specific_force. Every law must do without.
   virtual bool usesSpecificForce() const noexcept { return false; }
+
+  /// Whether, of a law that usesSpecificForce(), Sensed::state is to have the body rate of the
+  /// IMU's gyroscope, which is younger than that of late odometry; Ages tells how old it is.
+  virtual bool usesGyroscope() const noexcept { return false; }
 
   /// Whether observe() is to be called.
   virtual bool observesRotors() const noexcept { return false; }

@@ -38,6 +38,10 @@ class RotorAllocation {
   /// The same, into an allocation that is there already.
   void allocate(const Wrench& request, Allocation& result) const noexcept;
 
+  /// The most thrust [N] that leaves room for the roll and pitch of a moment [N m], yaw giving way;
+  /// 0 where there is no room even so.
+  double mostThrust(const Eigen::Vector3d& moment) const noexcept;
+
   /// The wrench of given rotor speeds [rad/s].
   Wrench wrench(const RotorArray& speeds) const noexcept;
 

@@ -7,6 +7,7 @@
 
 #include "adaptive_quadrotor_control/law/control_law.h"
 #include "adaptive_quadrotor_control/math/time.h"
+#include "adaptive_quadrotor_control/pilot/load_watch.h"
 
 namespace aqc {
 
@@ -34,16 +35,15 @@ struct MonitorLimits {
   Threshold distance{1.0, 3.0};          ///< from the set point [m]
   Threshold saturation{0.05, 0.5};       ///< share of the steps
   Threshold dropped_odometry{0.0, 0.5};  ///< share of the messages
-  Threshold lift{0.8, 0.95};             ///< mass carried / mass that all rotors can lift
+  Threshold lift{0.8, 0.95};             ///< mass carried / mass that the rotors can lift
 };
 
 /// Judges a flight by what the control loop sees, from one judgement to the next. Counting
 /// allocates nothing and reads no clock.
 class FlightMonitor {
  public:
-  /// `period` is the nominal one of the control loop; `lift_limit` the mass that the rotors can
-  /// just hold up [kg].
-  FlightMonitor(Nanoseconds period, double lift_limit, const MonitorLimits& limits = {});
+  /// `period` is the nominal one of the control loop.
+  explicit FlightMonitor(Nanoseconds period, const MonitorLimits& limits = {});
 
   /// Odometry stamped `stamp` was accepted at `now`.
   void countOdometry(Nanoseconds stamp, Nanoseconds now) noexcept;
@@ -54,7 +54,11 @@ class FlightMonitor {
   /// The clock of the odometry was started anew, and the controller with it.
   void countNewStart() noexcept { ++new_starts_; }
   /// A control step at `now`. Only steps that fly tell about rotors and mass.
-  void countStep(Nanoseconds now, bool flying, const Telemetry& telemetry, bool saturated) noexcept;
+  void countStep(Nanoseconds now, bool flying, const Telemetry& telemetry, bool saturated,
+                 const Load& load) noexcept;
+  /// For 0.42 s without a break the load has been above MonitorLimits::lift: a payload that swings,
+  /// whose pull comes and goes, is none that cannot be lifted.
+  bool overloaded() const noexcept { return overloaded_; }
 
   /// What to say at `now` about the time since the last call; then counting begins anew.
   /// `silence` is how long no odometry has come by the wall clock [s]: a simulated clock stands
@@ -71,7 +75,6 @@ class FlightMonitor {
   Finding judgePayload() const;
 
   Nanoseconds period_;
-  double lift_limit_;
   MonitorLimits limits_;
 
   // Latest; -1 for none yet.
@@ -80,7 +83,9 @@ class FlightMonitor {
   Nanoseconds set_point_time_ = -1;
   bool flying_ = false;
   double distance_ = 0.0;  // from the set point [m]
-  double mass_ = 0.0;      // carried, as the law tells [kg]
+  Load load_;
+  Nanoseconds heavy_since_ = -1;  // -1: it is not
+  bool overloaded_ = false;
 
   // Since the last judgement.
   std::uint32_t intervals_ = 0;
@@ -93,6 +98,8 @@ class FlightMonitor {
   std::uint32_t new_starts_ = 0;
   std::uint32_t flying_steps_ = 0;
   std::uint32_t saturated_steps_ = 0;
+  Load overload_;  // of the last step that was overloaded()
+  bool was_overloaded_ = false;
 };
 
 }  // namespace aqc

@@ -4,6 +4,7 @@
 #include "adaptive_quadrotor_control/pilot/flight_monitor.h"
 #include "adaptive_quadrotor_control/pilot/guard_limits.h"
 #include "adaptive_quadrotor_control/pilot/guard_rules.h"
+#include "adaptive_quadrotor_control/pilot/load_watch.h"
 #include "adaptive_quadrotor_control/pilot/mode.h"
 #include "adaptive_quadrotor_control/reference/governor.h"
 
@@ -20,7 +21,7 @@ struct Situation {
   bool plan_ended = false;            ///< and nothing follows it
   double plan_age = 0.0;              ///< since set points were accepted [s]
   const Allocation* given = nullptr;  ///< what became of the last command
-  double mass = 0.0;                  ///< carried, as the law tells [kg]
+  Load load;                          ///< what is carried, and what can be
   bool law_finite = true;             ///< what it learned is
   double missing_rotors = 0.0;        ///< see RotorObserver::missing()
 };

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "adaptive_quadrotor_control/math/time.h"
 
 namespace aqc {
 
-/// The latest accelerometer sample, and whether it may still be used. Times are those of the
+/// The latest sample of an IMU, and whether it may still be used. Times are those of the
 /// samples themselves and of the odometry they go with; there is no clock in it.
 class ImuMonitor {
  public:
@@ -21,11 +22,13 @@ class ImuMonitor {
   /// As it was at the start; counts stay.
   void forget() noexcept { started_ = usable_ = false; }
 
-  /// A sample in B [m/s^2]. False, and it is dropped and counted, when it is not finite or older
-  /// than the one before, unless so much that the clock was started anew. Of older ones in a row,
-  /// none behind the one before, the last of kConfirmations is taken: their clock was set back by
-  /// less, and they are no stragglers and no second source.
-  bool take(const Eigen::Vector3d& specific_force, Nanoseconds time) noexcept;
+  /// A sample in B [m/s^2], and of an IMU with a gyroscope the body rate [rad/s] with it. False,
+  /// and it is dropped and counted, when the force is not finite or it is older than the one
+  /// before, unless so much that the clock was started anew. Of older ones in a row, none behind
+  /// the one before, the last of kConfirmations is taken: their clock was set back by less, and
+  /// they are no stragglers and no second source. A rate that is not finite counts as none.
+  bool take(const Eigen::Vector3d& specific_force, Nanoseconds time,
+            const std::optional<Eigen::Vector3d>& body_rate = std::nullopt) noexcept;
 
   /// What goes with odometry of the time `now`: null when the latest sample is older than usable,
   /// when it is of the time before a new start, or when none has ever come. A loss is counted once,
@@ -42,6 +45,10 @@ class ImuMonitor {
   /// Whether the last at() gave a sample.
   bool usable() const noexcept { return usable_; }
   Nanoseconds time() const noexcept { return time_; }  ///< of the latest sample
+  /// Of the latest sample, while it is usable(); null without a gyroscope.
+  const Eigen::Vector3d* bodyRate() const noexcept {
+    return usable_ && body_rate_ ? &*body_rate_ : nullptr;
+  }
   long dropped() const noexcept { return dropped_; }
   long losses() const noexcept { return losses_; }
 
@@ -51,6 +58,7 @@ class ImuMonitor {
   Nanoseconds oldest_;
   Nanoseconds new_start_;
   Eigen::Vector3d specific_force_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> body_rate_;
   Nanoseconds time_ = 0;
   bool started_ = false;
   bool usable_ = false;

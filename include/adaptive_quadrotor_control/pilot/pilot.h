@@ -54,7 +54,8 @@ class Pilot {
   Answer hear(const State& state, Nanoseconds stamp, Nanoseconds now) noexcept;
   /// An accelerometer's sample at the origin of B, in B [m/s^2]: see ImuMonitor::take().
   Answer hear(const Eigen::Vector3d& specific_force, Nanoseconds stamp) noexcept;
-  /// The same, with the gyroscope's sample [rad/s] in B: a guard can then do without odometry.
+  /// The same, with the gyroscope's sample [rad/s] in B: a guard can then do without odometry, and
+  /// a law that ControlLaw::usesGyroscope() gets it when it is younger than odometry's body rate.
   Answer hear(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
               Nanoseconds stamp) noexcept;
   /// A period has passed; for Trigger::kTimer.
@@ -92,6 +93,10 @@ class Pilot {
   double silence() const noexcept { return guarded_ ? guarded_->silence : 0.0; }
 
   bool flying() const noexcept { return controller_.flying(); }
+  /// In the last step.
+  const Load& load() const noexcept { return load_.load(); }
+  /// It has been too much for so long that it is told: see FlightMonitor.
+  bool overloaded() const noexcept { return monitor_.overloaded(); }
   /// Of the last step.
   const Allocation& allocation() const noexcept { return controller_.allocation(); }
   const ControlLaw& law() const noexcept { return controller_.law(); }
@@ -115,20 +120,21 @@ class Pilot {
   std::vector<std::string> findingNames() const;
 
  private:
-  const char* take(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& body_rate,
-                   Nanoseconds stamp) noexcept;
+  const char* take(const Eigen::Vector3d& specific_force,
+                   const std::optional<Eigen::Vector3d>& body_rate, Nanoseconds stamp) noexcept;
   Answer stepIfAwaited() noexcept;
   void beginAnew() noexcept;
   void step(Nanoseconds now) noexcept;
   void stepUnguarded(Nanoseconds now) noexcept;
   void stepGuarded(Nanoseconds now) noexcept;
+  void countStep(Nanoseconds now, double dt) noexcept;
   Situation situation(const SetPoint* planned, double dt) const noexcept;
   void weigh(double dt) noexcept;
   Doubt judge(const State& state) noexcept;
   Doubt doubt(const State& state, const Innovation& innovation) noexcept;
   void takeOver(const State& state, const Innovation& innovation) noexcept;
   void switchSubsystem(Nanoseconds now) noexcept;
-  void sense(Nanoseconds now) noexcept;
+  Sensed sense(Nanoseconds now) noexcept;
   bool awaitsImu(Nanoseconds stamp) const noexcept;
   const char* unstableAxis(const ControlLaw& law) const;
   void observeRotors(double dt) noexcept;
@@ -153,6 +159,7 @@ class Pilot {
   StepClock clock_;
   FlightController controller_;
   FlightMonitor monitor_;
+  LoadWatch load_;
   ImuMonitor imu_;
   Eigen::Vector3d inertia_;  // of the empty vehicle about x, y, z of B [kg m^2]
   double least_lag_;         // of its rotors [s]

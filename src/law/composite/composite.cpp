@@ -16,6 +16,7 @@ constexpr double kFarthest = 1e3;       // of errors and rates: nobody flies the
 constexpr double kMostSliding = 2.0;    // [m/s]
 constexpr double kMostBias = 3.0;       // [m/s^2]
 constexpr double kBiasLeak = 0.05;      // sigma [1/s]
+constexpr double kShedding = 1.0;       // [s]: what loses its mass faster than in this has shed it
 constexpr double kMostTurn = 3.0;       // [rad/s], of the feed-forward
 constexpr double kSidewaysShare = 0.7;  // of the acceleration that the thrust leaves
 constexpr double kDownwardShare = 0.8;
@@ -81,7 +82,9 @@ void Composite::sense(const Sensed& sensed, double dt) noexcept {
     if (rate_elapsed_ > 0.0) {
       mean_moment_ = applied_.mean(given_.body_rate, ages_.body_rate, rate_elapsed_).moment;
     }
-    moment_.see(rate_, mean_moment_, inertia_.value(), rate_elapsed_);
+    const auto source = sensed.specific_force ? MomentObserver::Source::kGyroscope
+                                              : MomentObserver::Source::kOdometry;
+    moment_.see(rate_, mean_moment_, inertia_.value(), rate_elapsed_, source);
   } else {
     moment_.restart(rate_);
     mass_.restart();
@@ -184,11 +187,14 @@ Eigen::Vector3d Composite::moment(const Motion& now, const Pushed& pushed,
 }
 
 void Composite::adapt(const Achieved& achieved, double dt) noexcept {
+  const double kept = mass_.mass() / mass_.learnedMass();
   mass_.keep();
   moment_.keep();
   if (rate_elapsed_ > 0.0) {
-    const Eigen::Vector3d spin = inertia_.value().cwiseProduct(rate_);
+    const Eigen::Vector3d before = inertia_.value();
+    const Eigen::Vector3d spin = before.cwiseProduct(rate_);
     inertia_.update(rate_, mean_moment_ - rate_.cross(spin), mass_.mass(), rate_elapsed_);
+    if (kept < 1.0 - dt / kShedding) moment_.shrink(inertia_.value().cwiseQuotient(before).cwiseMin(1.0));
   } else if (!follows_) {
     inertia_.restart();
   }
@@ -274,6 +280,7 @@ std::vector<AdaptiveQuantity> Composite::adaptiveQuantities() const {
 
 void Composite::report() noexcept {
   telemetry_.mass_estimate = mass_.learnedMass();
+  telemetry_.weighed_mass = mass_.weighed();
   telemetry_.adaptive.resize(17);
   telemetry_.adaptive << gains_[0].value(), gains_[1].value(), turn_gains_[0].value(),
       turn_gains_[1].value(), turn_gains_[2].value(), mass_.force(), bias_, moment_.moment(),

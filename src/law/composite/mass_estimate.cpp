@@ -17,9 +17,10 @@ constexpr double kLeastThrust = 0.3;   // of the empty vehicle's weight: less te
 constexpr double kLeastLift = 0.3;     // of gravity
 // The rotors give less than this share of what the empty vehicle needs: something else holds it.
 constexpr double kLiftedShare = 0.8;
-constexpr double kLeastMass = 0.7;   // of the empty mass: a force constant may be wrong
-constexpr double kMostMass = 0.98;   // of what the rotors can lift
-constexpr double kMostForce = 30.0;  // [m/s^2]
+constexpr double kLeastMass = 0.7;     // of the empty mass: a force constant may be wrong
+constexpr double kMostMass = 0.98;     // of what the rotors can lift
+constexpr double kMostWeighed = 10.0;  // of the same; what weighs more is held, not carried
+constexpr double kMostForce = 30.0;    // [m/s^2]
 const Range kTimeConstant = Range::positiveUpTo(100.0);
 
 }  // namespace
@@ -41,7 +42,7 @@ MassEstimate::MassEstimate(const ParameterReader& reader, const Vehicle& vehicle
                                          "of the velocity's observer, without an IMU"},
                                         kDecay)),
       shift_lag_(kShiftTime) {
-  learned_.mass = values_.mass = empty_mass_;
+  reset();
 }
 
 double MassEstimate::within(double mass) const noexcept {
@@ -52,6 +53,14 @@ double MassEstimate::within(double mass) const noexcept {
 void MassEstimate::watchLift(double thrust, double lift) noexcept {
   const double weight = empty_mass_ * std::max(lift, kLeastLift * kGravity);
   values_.lifted = learned_.lifted || thrust > kLiftedShare * weight;
+}
+
+// Goes a share of the way to what the vehicle seems to weigh now [kg], and always fast to what is
+// told of it.
+void MassEstimate::weigh(double mass, double share, double dt) noexcept {
+  values_.mass = within(values_.mass + share * (mass - values_.mass));
+  values_.weighed +=
+      mass_lag_.share(dt) * (std::min(mass, kMostWeighed * liftable_) - values_.weighed);
 }
 
 void MassEstimate::feel(const Eigen::Vector3d& felt, double thrust, const Eigen::Matrix3d& attitude,
@@ -73,8 +82,7 @@ void MassEstimate::feel(const Eigen::Vector3d& felt, double thrust, const Eigen:
   if (!values_.lifted) return;
   const double lift = values_.felt.z();
   if (values_.thrust > kLeastThrust * empty_mass_ * kGravity && lift > kLeastLift * kGravity) {
-    const double gap = values_.thrust / lift - values_.mass;
-    values_.mass = within(values_.mass + mass_lag_.share(dt) * gap);
+    weigh(values_.thrust / lift, mass_lag_.share(dt), dt);
   }
   const Eigen::Vector3d sideways =
       attitude.leftCols<2>() * values_.felt.head<2>();  // no rotor pushes there
@@ -104,7 +112,7 @@ void MassEstimate::see(const Eigen::Vector3d& velocity, const Eigen::Vector3d& z
   const double lift = thrust / values_.mass + z_body.dot(values_.force);
   if (thrust < kLeastThrust * empty_mass_ * kGravity || lift < kLeastLift * kGravity) return;
   const double old = values_.mass;
-  values_.mass = within(old + shift_lag_.share(elapsed) * (thrust / lift - old));
+  weigh(thrust / lift, shift_lag_.share(elapsed), elapsed);
   values_.force += (thrust / old - thrust / values_.mass) * z_body;
 }
 
@@ -122,6 +130,7 @@ Eigen::Vector3d MassEstimate::specificForce(double thrust) const noexcept {
 void MassEstimate::reset() noexcept {
   learned_ = Values();
   learned_.mass = within(empty_mass_);
+  learned_.weighed = empty_mass_;
   values_ = learned_;
 }
 
@@ -129,6 +138,7 @@ void MassEstimate::adopt(double mass) noexcept {
   reset();
   if (!std::isfinite(mass)) return;
   learned_.mass = within(mass);
+  learned_.weighed = mass;
   learned_.lifted = true;
   values_ = learned_;
 }
@@ -146,8 +156,8 @@ void MassEstimate::bound(double most) noexcept {
 }
 
 bool MassEstimate::finite() const noexcept {
-  return std::isfinite(learned_.mass) && learned_.force.allFinite() && learned_.felt.allFinite() &&
-         learned_.velocity.allFinite();
+  return std::isfinite(learned_.mass) && std::isfinite(learned_.weighed) &&
+         learned_.force.allFinite() && learned_.felt.allFinite() && learned_.velocity.allFinite();
 }
 
 }  // namespace aqc

@@ -10,7 +10,6 @@ namespace aqc {
 namespace {
 
 constexpr Nanoseconds kPeriod = 4'000'000;
-constexpr double kLift = 4.0;  // [kg]
 
 class FlightMonitorTest : public ::testing::Test {
  protected:
@@ -19,7 +18,7 @@ class FlightMonitorTest : public ::testing::Test {
     for (int i = 0; i < steps; ++i) {
       now_ += kPeriod;
       monitor_.countOdometry(now_, now_ + 1'000'000);
-      monitor_.countStep(now_, true, telemetry_, saturated);
+      monitor_.countStep(now_, true, telemetry_, saturated, load_);
     }
   }
   Finding judge(const std::string& name, double silence = 0.004) {
@@ -35,11 +34,11 @@ class FlightMonitorTest : public ::testing::Test {
   }
 
   FlightMonitorTest() {
-    telemetry_.mass_estimate = 2.0;
     monitor_.countSetPoint(0);
   }
 
-  FlightMonitor monitor_{kPeriod, kLift};
+  FlightMonitor monitor_{kPeriod};
+  Load load_ = {2.0, 4.0};  // [kg]
   Telemetry telemetry_;
   Nanoseconds now_ = 1'000'000'000;
 };
@@ -61,7 +60,7 @@ TEST_F(FlightMonitorTest, WaitsBeforeTheFlight) {
 TEST_F(FlightMonitorTest, SeesASlowAndAnUnevenLoop) {
   for (int i = 0; i < 100; ++i) {
     now_ += 2 * kPeriod;
-    monitor_.countStep(now_, true, telemetry_, false);
+    monitor_.countStep(now_, true, telemetry_, false, load_);
   }
   expect(judge("Control loop"), Health::kError, "125.0 Hz instead of 250.0 Hz");
   fly(200);
@@ -92,20 +91,41 @@ TEST_F(FlightMonitorTest, SeesSaturation) {
 }
 
 TEST_F(FlightMonitorTest, WeighsThePayload) {
-  telemetry_.mass_estimate = 3.4;
+  load_.carried = 3.4;
   fly();
   expect(judge("Payload"), Health::kWarn, "3.40 kg of 4.00 kg");
-  telemetry_.mass_estimate = 40.0;
-  fly();
-  expect(judge("Payload"), Health::kError, "40.00 kg against 4.00 kg");
-  // A law without an estimate is judged by the force it asks for.
-  telemetry_.mass_estimate = std::numeric_limits<double>::quiet_NaN();
-  telemetry_.force.z() = 2.5 * kGravity;
+  load_.carried = 2.5;
   fly();
   expect(judge("Payload"), Health::kOk, "2.50 kg");
-  telemetry_.force.z() = std::numeric_limits<double>::quiet_NaN();
+  load_.carried = std::numeric_limits<double>::quiet_NaN();
   fly();
   EXPECT_EQ(judge("Payload").health, Health::kError);
+}
+
+// 0.42 s are 105 steps, between the first and the last of which as much goes by as they last.
+TEST_F(FlightMonitorTest, NamesAnOverloadThatStays) {
+  load_ = {3.1, 2.8};
+  fly(105);
+  EXPECT_FALSE(monitor_.overloaded());
+  expect(judge("Payload"), Health::kWarn, "3.10 kg of 2.80 kg");
+  fly(1);
+  EXPECT_TRUE(monitor_.overloaded());
+  load_.carried = 1.0;
+  fly(10);
+  EXPECT_FALSE(monitor_.overloaded());
+  expect(judge("Payload"), Health::kError, "lifts 2.80 kg, carries 3.10 kg");
+  fly(10);
+  expect(judge("Payload"), Health::kOk, "1.00 kg");
+}
+
+TEST_F(FlightMonitorTest, NamesNoPullThatComesAndGoes) {
+  for (int swing = 0; swing < 20; ++swing) {
+    load_ = {3.1, 2.8};
+    fly(90);
+    load_.carried = 1.0;
+    fly(10);
+    ASSERT_FALSE(monitor_.overloaded());
+  }
 }
 
 TEST_F(FlightMonitorTest, CountsWhatWasRefused) {
@@ -160,7 +180,7 @@ TEST_F(FlightMonitorTest, JudgesTheShareOfOdometryThatWasRefused) {
 }
 
 TEST_F(FlightMonitorTest, WeighsNothingThatStandsStill) {
-  monitor_.countStep(now_, false, telemetry_, false);
+  monitor_.countStep(now_, false, telemetry_, false, load_);
   EXPECT_EQ(judge("Payload").reason, "nothing is lifted");
 }
 

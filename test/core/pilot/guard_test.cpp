@@ -24,7 +24,7 @@ class GuardTest : public ::testing::Test {
     now_.dt = kStep;
     now_.state = &state_;
     now_.given = &given_;
-    now_.mass = kMass;
+    now_.load = {kMass, 2.0 * kMass};
     now_.feels = true;
     now_.support = 0.0;
   }
@@ -311,10 +311,17 @@ TEST_F(GuardTest, NotFollowingForTheLagHolds) {
 
 TEST_F(GuardTest, OverloadLands) {
   takeOff();
-  now_.mass = 0.94 * kMaxThrust / kGravity;
+  now_.load.carried = 0.94 * 2.0 * kMass;
   stepFor(2.0 * limits_.overload_time);
   EXPECT_EQ(guard_.mode(), Mode::kHolding);
-  now_.mass = 0.96 * kMaxThrust / kGravity;
+  now_.load.carried = 0.96 * 2.0 * kMass;
+  EXPECT_NEAR(until(Mode::kLanding), limits_.overload_time, 2.0 * kStep);
+  EXPECT_EQ(guard_.rule(), Rule::kOverload);
+}
+
+TEST_F(GuardTest, WhatTheMomentsTakeIsNotThereToLift) {
+  takeOff();
+  now_.load = {1.5 * kMass, 1.55 * kMass};
   EXPECT_NEAR(until(Mode::kLanding), limits_.overload_time, 2.0 * kStep);
   EXPECT_EQ(guard_.rule(), Rule::kOverload);
 }

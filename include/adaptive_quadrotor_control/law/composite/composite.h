@@ -42,6 +42,7 @@ class Composite final : public ControlLaw {
   const char* name() const noexcept override { return kName; }
   static constexpr const char* kName = "composite";
   bool usesSpecificForce() const noexcept override { return true; }
+  bool usesGyroscope() const noexcept override { return true; }
   bool observesRotors() const noexcept override { return true; }
   double rotorLead() const noexcept override { return rotor_lead_; }
   const Telemetry& telemetry() const noexcept override { return telemetry_; }

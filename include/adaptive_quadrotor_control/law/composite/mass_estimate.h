@@ -36,6 +36,8 @@ class MassEstimate {
   /// m-hat [kg].
   double mass() const noexcept { return values_.mass; }
   double learnedMass() const noexcept { return learned_.mass; }
+  /// The same, but for the bound of what the rotors lift [kg].
+  double weighed() const noexcept { return learned_.weighed; }
   /// d_f in W [m/s^2]: on a unit of mass, what neither rotors nor gravity explain.
   const Eigen::Vector3d& force() const noexcept { return values_.force; }
   /// Specific force in B [m/s^2], smoothed; its z is T / m-hat. `thrust` is of now [N].
@@ -56,6 +58,7 @@ class MassEstimate {
  private:
   struct Values {
     double mass;
+    double weighed;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     double thrust = 0.0;                                 // T_f, smoothed as f is
     Eigen::Vector3d felt = Eigen::Vector3d::Zero();      // f, for the mass
@@ -66,6 +69,7 @@ class MassEstimate {
     bool lifted = false;
   };
   void watchLift(double thrust, double lift) noexcept;
+  void weigh(double mass, double share, double dt) noexcept;
   double within(double mass) const noexcept;
 
   double empty_mass_;

@@ -4,6 +4,7 @@
 #include "adaptive_quadrotor_control/law/max_subsystems.h"
 #include "adaptive_quadrotor_control/law/switched/subsystem_switch.h"
 #include "adaptive_quadrotor_control/law/switched/switched_law.h"
+#include "adaptive_quadrotor_control/math/constants.h"
 #include "adaptive_quadrotor_control/math/filtered_derivative.h"
 #include "adaptive_quadrotor_control/model/vehicle.h"
 

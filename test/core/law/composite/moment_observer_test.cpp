@@ -21,7 +21,7 @@ class MomentObserverTest : public ::testing::Test {
     moment[axis] = rotors;
     for (int i = 0; i < steps; ++i) {
       rate_[axis] += kStep * (rotors + beside) / inertia_[axis];
-      observer_.see(rate_, moment, inertia_, kStep);
+      observer_.see(rate_, moment, inertia_, kStep, source_);
       observer_.keep();
     }
   }
@@ -30,6 +30,7 @@ class MomentObserverTest : public ::testing::Test {
   const YAML::Node gains_ = loadYamlFile(test::configFile("controller/composite"));
   MomentObserver observer_{ParameterReader(gains_["estimates"], "estimates"), vehicle_};
   const Eigen::Vector3d inertia_ = vehicle_.inertia.diagonal();
+  MomentObserver::Source source_ = MomentObserver::Source::kGyroscope;
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();
 };
 
@@ -53,7 +54,7 @@ TEST_F(MomentObserverTest, TurnsAsAFreeBodyDoes) {
   const Eigen::Vector3d before(1.0, 2.0, 3.0);
   const Eigen::Vector3d spin = inertia_.cwiseProduct(before);
   const Eigen::Vector3d after = before - kStep * before.cross(spin).cwiseQuotient(inertia_);
-  observer_.see(after, Eigen::Vector3d::Zero(), inertia_, kStep);
+  observer_.see(after, Eigen::Vector3d::Zero(), inertia_, kStep, source_);
   EXPECT_LT(observer_.moment().norm(), 1e-12);
 }
 
