@@ -12,7 +12,7 @@
 namespace aqc {
 namespace {
 
-constexpr int kDegree = 7;
+constexpr int kPolynomialDegree = 7;
 
 FlatOutput hold(const Eigen::Vector4d& position) noexcept {
   FlatOutput output;
@@ -94,7 +94,7 @@ PolynomialTrajectory::Segment PolynomialTrajectory::makeSegment(const KnotState&
   Segment segment;
   segment.from_start = septic(unit_start, unit_end);
   segment.from_end = septic(reversed(unit_end), reversed(unit_start));
-  for (int k = 1; k <= kDegree; k += 2) segment.from_end.col(k) *= -1.0;
+  for (int k = 1; k <= kPolynomialDegree; k += 2) segment.from_end.col(k) *= -1.0;
   return segment;
 }
 
@@ -125,9 +125,9 @@ FlatOutput PolynomialTrajectory::evaluate(double time) const noexcept {
   const double u = (near_start ? since_start : -until_end) * rate;
 
   // Horner's scheme for the value and, along with it, the derivatives divided by k!.
-  FlatOutput output = hold(c.col(kDegree));
+  FlatOutput output = hold(c.col(kPolynomialDegree));
   auto& d = output.derivative;
-  for (int k = kDegree - 1; k >= 0; --k) {
+  for (int k = kPolynomialDegree - 1; k >= 0; --k) {
     for (std::size_t order = d.size() - 1; order > 0; --order) {
       d[order] = d[order] * u + d[order - 1];
     }
@@ -152,7 +152,7 @@ double PolynomialTrajectory::snapCost() const noexcept {
     end.col(0) -= start.col(0);
     start.col(0).setZero();
     const Eigen::Matrix4d snap = rows.left * start.transpose() + rows.right * end.transpose();
-    cost += snap.squaredNorm() * std::pow(durations_[i], -kDegree);
+    cost += snap.squaredNorm() * std::pow(durations_[i], -kPolynomialDegree);
   }
   return cost;
 }
