@@ -1,7 +1,13 @@
 // Random fault flights of the default law, the short version of `fault_flights --flights 10000`.
 
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "adaptive_quadrotor_control/parameters/parameter_reader.h"
 #include "campaign/campaign.h"
 #include "campaign/hover.h"
 #include "campaign/margins.h"
@@ -101,6 +107,57 @@ TEST(FaultFlights, ThatCarryMoreThanTheRotorsLiftAreForcedDown) {
   const FaultResult result = flyFaults(flight, vehicle, test::lawNamed("asmc", vehicle), guarded());
   EXPECT_EQ(result.verdict, Verdict::kForced);
   EXPECT_GT(result.impact, kHardTouchDown);
+}
+
+// The mission of a seed with one thing that happens to the plant, in the air as a rule, instead of
+// faults; `bounded` asmc flies it. Nothing where orders themselves are what is wrong.
+std::optional<FaultResult> flownWith(std::uint64_t seed, const PlantAction& action) {
+  const Vehicle vehicle = test::pelican();
+  const FaultFlight drawn = drawFaultFlight(seed, vehicle);
+  for (const DrawnFault& fault : drawn.faults) {
+    if (fault.kind >= FaultKind::kPlanEnds) return std::nullopt;
+  }
+  FaultFlight flight = emptyFlight(seed, vehicle);
+  flight.scenario.duration = drawn.scenario.duration;
+  flight.orders = drawn.orders;
+  flight.asked = drawn.asked;
+  const double at = 4.0 + 0.4 * static_cast<double>(seed % 20);
+  flight.scenario.mission.events = {{fromSeconds(at), action}};
+  YAML::Node gains = loadYamlFile(test::configFile("controller/asmc"));
+  gains["attitude"]["most_moment"] = 0.3;
+  return flyFaults(flight, vehicle, makeLaw(ParameterReader(gains, "gains"), vehicle), guarded());
+}
+
+bool acted(const FaultResult& result, Rule rule) {
+  return std::find(result.rules.begin(), result.rules.end(), rule) != result.rules.end();
+}
+
+TEST(FaultFlights, WithARotorAtSixTenthsTellOfItAndMostlyLand) {
+  int flown = 0, told = 0, landed = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const int number = 1 + static_cast<int>(seed % 4);
+    const auto result = flownWith(seed, SetRotor{number, {0.6, std::nullopt, 1.0}});
+    if (!result) continue;
+    ++flown;
+    told += acted(*result, Rule::kRotorLoss) ? 1 : 0;
+    landed += result->verdict == Verdict::kLanded ? 1 : 0;
+  }
+  EXPECT_GE(told, flown - 2) << "some are on the ground by then";
+  EXPECT_GE(landed, 3 * flown / 4);
+}
+
+TEST(FaultFlights, WithAPayloadOffCentreTellOfNoRotor) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const double angle = static_cast<double>(seed);
+    Payload payload;
+    payload.mass = 0.02 * static_cast<double>(seed);
+    payload.size = {0.1, 0.1, 0.05};
+    payload.offset = {0.03 * std::cos(angle), 0.03 * std::sin(angle), -0.05};
+    payload.inertia = boxInertia(payload.mass, payload.size);
+    const auto result = flownWith(seed, AttachPayload{"", payload});
+    if (!result) continue;
+    EXPECT_FALSE(acted(*result, Rule::kRotorLoss)) << campaignCsv({*result});
+  }
 }
 
 TEST(Hover, IsPossibleWhileEachRotorCanGiveItsShare) {
