@@ -7,13 +7,6 @@
 #include "adaptive_quadrotor_control/model/state.h"
 
 namespace aqc {
-namespace {
-
-constexpr double kRestSink = 1e-3;     // of the feet under the empty vehicle [m]
-constexpr double kDampingRatio = 0.5;  // of the empty vehicle bouncing on its feet
-constexpr double kFriction = 0.7;      // Coulomb coefficient
-
-}  // namespace
 
 Contact::Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground)
     : walls_(std::move(walls)),
@@ -87,14 +80,7 @@ ForceMoment Contact::force(const Eigen::Vector3d& position, const Eigen::Matrix3
   ForceMoment total;
   const auto push = [&](int, const Eigen::Vector3d& point, const Penetration& inside, bool) {
     const Eigen::Vector3d speed = velocity + rotation * body_rate.cross(point);
-    const double leaving = speed.dot(inside.normal);
-    const double normal = std::max(0.0, stiffness_ * inside.depth - damping_ * leaving);
-    const Eigen::Vector3d sliding = speed - leaving * inside.normal;
-    const double sliding_speed = sliding.norm();
-    const double drag = sliding_speed * damping_ > kFriction * normal
-                            ? kFriction * normal / sliding_speed
-                            : damping_;
-    const Eigen::Vector3d force = normal * inside.normal - drag * sliding;
+    const Eigen::Vector3d force = pushOf(inside, speed, stiffness_, damping_);
     total.force += force;
     total.moment += (point - centre_of_mass).cross(rotation.transpose() * force);
   };

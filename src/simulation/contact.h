@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -13,6 +14,24 @@
 
 namespace aqc {
 
+constexpr double kRestSink = 1e-3;     ///< of what rests on contact points under its weight [m]
+constexpr double kDampingRatio = 0.5;  ///< of what bounces on them
+constexpr double kFriction = 0.7;      ///< Coulomb coefficient
+
+/// The force in W [N] on a point that moves with `speed` (W) in something solid: a damped spring
+/// along the normal (never pulls), and friction, viscous up to the Coulomb limit. `stiffness`
+/// [N/m]; `damping` along the normal and across it [N s/m].
+inline Eigen::Vector3d pushOf(const Penetration& inside, const Eigen::Vector3d& speed,
+                              double stiffness, double damping) {
+  const double leaving = speed.dot(inside.normal);
+  const double normal = std::max(0.0, stiffness * inside.depth - damping * leaving);
+  const Eigen::Vector3d sliding = speed - leaving * inside.normal;
+  const double sliding_speed = sliding.norm();
+  const double drag =
+      sliding_speed * damping > kFriction * normal ? kFriction * normal / sliding_speed : damping;
+  return normal * inside.normal - drag * sliding;
+}
+
 /// Contact of a vehicle and its payload with the flat ground z = 0 (unless there is none, as in a
 /// study of free flight that starts at z = 0) and with walls, at points: four
 /// feet, the hub of every rotor and the payload's four lower corners. Each point pushes back as a
@@ -22,6 +41,7 @@ class Contact {
   Contact(const Vehicle& vehicle, std::vector<Box> walls, bool ground = true);
 
   bool hasGround() const noexcept { return ground_; }
+  const std::vector<Box>& walls() const noexcept { return walls_; }
 
   void setPayload(const Payload* payload);
 

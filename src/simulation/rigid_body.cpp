@@ -43,6 +43,11 @@ void RigidBody::standStill(const Motion& last) noexcept {
   if (crash_ == Crash::kNone) crash_ = Crash::kDiverged;
 }
 
+void RigidBody::strike(const ForceMoment& impulse) noexcept {
+  motion_.velocity = motion_.velocity + inverse_mass_ * Plain3::from(impulse.force);
+  motion_.body_rate = motion_.body_rate + inverse_inertia_ * Plain3::from(impulse.moment);
+}
+
 Eigen::Vector3d RigidBody::specificForce() const noexcept {
   const Plain3 up = {Pair{0.0, 0.0}, both(kGravity)};
   const Plain3 felt = PlainRotation(felt_.attitude).toBody(felt_.acceleration + up);

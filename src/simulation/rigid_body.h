@@ -44,6 +44,22 @@ inline double absurdity(const Motion& motion, double half_norm_error) {
   return across[0] + across[1] + along[0] + kPerNormError * half_norm_error * half_norm_error;
 }
 
+class HangingLoad;
+
+/// The vehicle at one instant, as it would move if nothing hung under it: what hangs there needs
+/// it.
+struct Carrier {
+  Eigen::Vector3d position;  ///< of the centre of mass, in W [m]
+  Eigen::Vector3d velocity;  ///< of the centre of mass, in W [m/s]
+  Eigen::Quaterniond attitude;
+  Eigen::Matrix3d rotation;              ///< R, of unit norm to rounding and RK4's order
+  Eigen::Vector3d body_rate;             ///< [rad/s]
+  Eigen::Vector3d acceleration;          ///< of the centre of mass, in W [m/s^2]
+  Eigen::Vector3d angular_acceleration;  ///< in B [rad/s^2]
+  double inverse_mass = 0.0;             ///< [1/kg]
+  Eigen::Matrix3d inverse_inertia;       ///< about the centre of mass, in B [1/(kg m^2)]
+};
+
 /// All that a step of RigidPlant reads and writes: rotors, motion of the whole, contact.
 class RigidBody {
  public:
@@ -51,6 +67,8 @@ class RigidBody {
 
   /// As Plant::step().
   void step(const RotorArray& command, double dt) noexcept;
+  /// The same with a load that hangs under the vehicle, which moves on with it.
+  void stepWith(HangingLoad& load, const RotorArray& command, double dt) noexcept;
 
   /// Mass, centre of mass in B and inertia about it of the whole, of which `payload` (may be null)
   /// is a part; leaves the motion of the centre of mass as it is. To be called before all others.
@@ -65,6 +83,17 @@ class RigidBody {
   /// As Plant::setSpeedLimit().
   void setSpeedLimit(double share) noexcept { speed_limit_ = share * vehicle_.max_rotor_speed; }
 
+  /// Strikes the vehicle: an impulse in W [N s] at the centre of mass and one of moment in B [N m
+  /// s].
+  void strike(const ForceMoment& impulse) noexcept;
+  /// Something has happened after which the rotors run down.
+  void declare(Crash crash) noexcept {
+    if (crash_ == Crash::kNone) crash_ = crash;
+  }
+
+  /// As of now.
+  Carrier carrier() const noexcept;
+  const std::vector<Box>& walls() const noexcept { return contact_.walls(); }
   State state() const noexcept { return stateOf(motion_); }
   const Motion& motion() const noexcept { return motion_; }
   const RotorArray& rotorSpeeds() const noexcept { return speeds_; }
@@ -96,7 +125,19 @@ class RigidBody {
     Plain3 centre;
   };
 
+  // The loads of the rotors at the begin, halfway and at the end of a step.
+  struct RotorStages {
+    RotorLoads start;
+    RotorLoads half;
+    RotorLoads end;
+  };
+
+  struct Together;
+
   State stateOf(const Motion& motion) const noexcept;
+  Together slopeWith(const HangingLoad& load, const Together& now,
+                     const RotorLoads& rotors) const noexcept;
+  Carrier carrierAt(const Motion& motion, const Motion& slope) const noexcept;
   void updateHub(std::size_t index) noexcept;
   double target(const RotorArray& command, Eigen::Index rotor) const noexcept;
   RotorArray turnRotors(const RotorArray& command, double dt) noexcept;
@@ -107,6 +148,9 @@ class RigidBody {
   template <bool damaged>
   void stepAny(const RotorArray& command, double dt) noexcept;
   void stepDamaged(const RotorArray& command, double dt) noexcept;
+  template <bool damaged>
+  RotorStages beginStep(const RotorArray& command, double dt) noexcept;
+  void endStep(const Motion& start, const Motion& slope, const Motion& end) noexcept;
   template <bool damaged>
   RotorLoads rotorLoads(const RotorArray& speeds) const noexcept;
   ForceMoment contactForce(Motion motion) const noexcept;

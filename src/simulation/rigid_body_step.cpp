@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "adaptive_quadrotor_control/model/rotor_lag.h"
+#include "simulation/hanging_load.h"
 #include "simulation/rigid_body.h"
 
 namespace aqc::kernel {
@@ -157,8 +158,8 @@ void RigidBody::setDisturbance(const ForceMoment& disturbance) noexcept {
 }
 
 template <bool damaged>
-[[gnu::always_inline]] inline void RigidBody::stepAny(const RotorArray& command,
-                                                      double dt) noexcept {
+[[gnu::always_inline]] inline RigidBody::RotorStages RigidBody::beginStep(const RotorArray& command,
+                                                                          double dt) noexcept {
   const RotorArray speeds_half = damaged ? turnDamagedRotors(command, dt) : turnRotors(command, dt);
   const RotorLoads loads_start = loads_;
   const RotorLoads loads_half = rotorLoads<damaged>(speeds_half);
@@ -168,21 +169,33 @@ template <bool damaged>
   const double speed_bound = std::abs(v.xy[0]) + std::abs(v.xy[1]) + std::abs(v.zz[0]);
   near_contact_ =
       contact_.near(motion_.position.eigen(), centre_distance_ + 0.01 + 2.0 * dt * speed_bound);
+  return {loads_start, loads_half, loads_};
+}
 
-  const Motion start = motion_;
-  const Motion k1 = derivative(start, loads_start);
-  const Motion k2 = derivative(start.after(0.5 * dt, k1), loads_half);
-  const Motion k3 = derivative(start.after(0.5 * dt, k2), loads_half);
-  const Motion k4 = derivative(start.after(dt, k3), loads_);
-  const Motion middle = k2 + k3;
-  felt_ = {start.attitude, start.body_rate, k1.velocity, k1.body_rate, Plain3::from(centre_)};
-  motion_ = start.after(dt / 6.0, k1 + middle + middle + k4);
+// `slope` is that at the start.
+[[gnu::always_inline]] inline void RigidBody::endStep(const Motion& start, const Motion& slope,
+                                                      const Motion& end) noexcept {
+  felt_ = {start.attitude, start.body_rate, slope.velocity, slope.body_rate, Plain3::from(centre_)};
+  motion_ = end;
   const Pair scale = unitScale(motion_.attitude);
   motion_.attitude = {scale * motion_.attitude.xy, scale * motion_.attitude.zw};
 
   touching_ = false;
   if (!(absurdity(motion_, scale[0] - 1.0) < bearable_)) return standStill(start);
   if (near_contact_) judgeContact();
+}
+
+template <bool damaged>
+[[gnu::always_inline]] inline void RigidBody::stepAny(const RotorArray& command,
+                                                      double dt) noexcept {
+  const RotorStages rotors = beginStep<damaged>(command, dt);
+  const Motion start = motion_;
+  const Motion k1 = derivative(start, rotors.start);
+  const Motion k2 = derivative(start.after(0.5 * dt, k1), rotors.half);
+  const Motion k3 = derivative(start.after(0.5 * dt, k2), rotors.half);
+  const Motion k4 = derivative(start.after(dt, k3), rotors.end);
+  const Motion middle = k2 + k3;
+  endStep(start, k1, start.after(dt / 6.0, k1 + middle + middle + k4));
 }
 
 void RigidBody::step(const RotorArray& command, double dt) noexcept {
@@ -193,6 +206,63 @@ void RigidBody::step(const RotorArray& command, double dt) noexcept {
 [[gnu::noinline, gnu::cold]] void RigidBody::stepDamaged(const RotorArray& command,
                                                          double dt) noexcept {
   stepAny<true>(command, dt);
+}
+
+// The slopes of vehicle and load, which act on each other.
+struct RigidBody::Together {
+  Motion vehicle;
+  LoadMotion load;
+
+  Together after(double time, const Together& slope) const {
+    return {vehicle.after(time, slope.vehicle), load.after(time, slope.load)};
+  }
+  Together operator+(const Together& other) const {
+    return {vehicle + other.vehicle, load + other.load};
+  }
+};
+
+[[gnu::noinline]] RigidBody::Together RigidBody::slopeWith(
+    const HangingLoad& load, const Together& now, const RotorLoads& rotors) const noexcept {
+  Together slope;
+  slope.vehicle = derivative(now.vehicle, rotors);
+  const ForceMoment pull = load.pull(carrierAt(now.vehicle, slope.vehicle), now.load, slope.load);
+  slope.vehicle.velocity = slope.vehicle.velocity + inverse_mass_ * Plain3::from(pull.force);
+  slope.vehicle.body_rate = slope.vehicle.body_rate + inverse_inertia_ * Plain3::from(pull.moment);
+  return slope;
+}
+
+void RigidBody::stepWith(HangingLoad& load, const RotorArray& command, double dt) noexcept {
+  const RotorStages rotors =
+      damaged_ ? beginStep<true>(command, dt) : beginStep<false>(command, dt);
+  const Together start = {motion_, load.motion()};
+  const Together k1 = slopeWith(load, start, rotors.start);
+  const Together k2 = slopeWith(load, start.after(0.5 * dt, k1), rotors.half);
+  const Together k3 = slopeWith(load, start.after(0.5 * dt, k2), rotors.half);
+  const Together k4 = slopeWith(load, start.after(dt, k3), rotors.end);
+  const Together middle = k2 + k3;
+  const Together end = start.after(dt / 6.0, k1 + middle + middle + k4);
+  endStep(start.vehicle, k1.vehicle, end.vehicle);
+  if (crash_ == Crash::kDiverged) return;  // both stay
+  if (!load.arrive(end.load)) standStill(start.vehicle);
+}
+
+Carrier RigidBody::carrierAt(const Motion& motion, const Motion& slope) const noexcept {
+  Carrier carrier;
+  carrier.position = motion.position.eigen();
+  carrier.velocity = motion.velocity.eigen();
+  carrier.attitude = motion.attitude.eigen();
+  carrier.rotation = carrier.attitude.toRotationMatrix();
+  carrier.body_rate = motion.body_rate.eigen();
+  carrier.acceleration = slope.velocity.eigen();
+  carrier.angular_acceleration = slope.body_rate.eigen();
+  carrier.inverse_mass = inverse_mass_;
+  carrier.inverse_inertia << inverse_inertia_.x.eigen(), inverse_inertia_.y.eigen(),
+      inverse_inertia_.z.eigen();
+  return carrier;
+}
+
+[[gnu::noinline]] Carrier RigidBody::carrier() const noexcept {
+  return carrierAt(motion_, derivative(motion_, loads_));
 }
 
 [[gnu::noinline, gnu::cold]] void RigidBody::judgeContact() noexcept {

@@ -103,6 +103,7 @@ void RigidPlant::updateWhole() {
 
 void RigidPlant::attach(const Payload& payload, const Eigen::Vector3d& velocity) {
   if (payload_) throw std::logic_error("a payload is attached already; detach it first");
+  if (!payload.rigid()) throw std::invalid_argument("this plant has no joint and no cable");
   State state = this->state();
   const Eigen::Vector3d where = state.position + state.attitude * payload.offset;
   const Eigen::Vector3d linear = linearMomentum() + payload.mass * velocity;
@@ -123,10 +124,17 @@ void RigidPlant::attach(const Payload& payload, const Eigen::Vector3d& velocity)
 FreeMotion RigidPlant::detach() {
   if (!payload_) throw std::logic_error("no payload is attached");
   const State state = this->state();
-  const Eigen::Vector3d offset = payload_->offset;
+  const FreeMotion motion = payloadMotion();
   payload_.reset();
   updateWhole();
   body_->setState(state);
+  return motion;
+}
+
+FreeMotion RigidPlant::payloadMotion() const noexcept {
+  const State state = this->state();
+  if (!payload_) return {state.position, state.velocity};
+  const Eigen::Vector3d& offset = payload_->offset;
   return {state.position + state.attitude * offset,
           state.velocity + state.attitude * state.body_rate.cross(offset)};
 }

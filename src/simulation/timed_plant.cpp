@@ -86,6 +86,11 @@ std::string TimedPlant::obstacle(const AttachPayload& attach) const {
   const State& state = plant_->state();
   const Eigen::Vector3d place = state.position + state.attitude * cargo->payload.offset;
   const double distance = (place - cargo->position).norm();
+  if (const auto* cable = std::get_if<Cable>(&cargo->payload.mount)) {
+    if (distance <= cable->length) return "";
+    return formatted("%.60s is %.2f m from the hook; its cable is %.2f m long", attach.name.c_str(),
+                     distance, cable->length);
+  }
   if (distance <= kReach) return "";
   return formatted("%.60s is %.2f m away; it can be picked up within %.2f m", attach.name.c_str(),
                    distance, kReach);
@@ -101,7 +106,7 @@ void TimedPlant::attach(const AttachPayload& attach) {
   if (cargo == cargo_.end()) {
     plant_->attach(attach.payload, Eigen::Vector3d::Zero());
   } else {
-    plant_->attach(cargo->payload, cargo->velocity);
+    plant_->pickUp(cargo->payload, {cargo->position, cargo->velocity});
     cargo_.erase(cargo);
   }
   attached_name_ = attach.name;

@@ -3,7 +3,7 @@
 #include "adaptive_quadrotor_control/math/number_text.h"
 #include "adaptive_quadrotor_control/math/rotations.h"
 #include "adaptive_quadrotor_control/parameters/parameter_reader.h"
-#include "adaptive_quadrotor_control/simulation/rigid_plant.h"
+#include "adaptive_quadrotor_control/simulation/flexible_plant.h"
 #include "simulation/ranges.h"
 
 namespace aqc {
@@ -99,7 +99,7 @@ World readWorld(const ParameterReader& scenario) {
 }
 
 std::unique_ptr<Plant> makePlant(const Vehicle& vehicle, const World& world) {
-  return std::make_unique<RigidPlant>(vehicle, world.start, world.walls, world.ground);
+  return std::make_unique<FlexiblePlant>(vehicle, world.start, world.walls, world.ground);
 }
 
 }  // namespace aqc

@@ -14,15 +14,15 @@
 
 namespace aqc {
 
-/// How a payload moves at the instant when nothing holds it any more.
+/// How a payload moves, were nothing holding it.
 struct FreeMotion {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of its centre of mass, in W [m]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< of its centre of mass, in W [m/s]
 };
 
 /// A simulated multirotor in its surroundings: rotors, body, what hangs under it, air and contact.
-/// Whoever simulates it otherwise (another engine, a payload on a cable) writes a class like this
-/// one and one line in makePlant(); clock, events and payloads that lie about are TimedPlant's.
+/// Whoever simulates it otherwise (another engine, say) writes a class like this one and one line
+/// in makePlant(); clock, events and payloads that lie about are TimedPlant's.
 ///
 /// Deterministic and free of clocks: the same calls give the same bits.
 class Plant {
@@ -53,11 +53,19 @@ class Plant {
 
   /// Joins a payload, which moved with `velocity` in W [m/s] and did not spin until now, to the
   /// vehicle; total momentum is kept. Throws std::logic_error when one is attached already.
+  /// Throws std::invalid_argument for a mount that the plant does not simulate.
   virtual void attach(const Payload& payload, const Eigen::Vector3d& velocity) = 0;
+  /// The same for a payload that is there already and moves like that: it jumps to where it hangs,
+  /// unless a cable reaches it.
+  virtual void pickUp(const Payload& payload, const FreeMotion& motion) {
+    attach(payload, motion.velocity);
+  }
   /// Lets go of the payload; the vehicle's own motion goes on. Throws std::logic_error without one.
   virtual FreeMotion detach() = 0;
   /// What is attached.
   virtual const std::optional<Payload>& payload() const noexcept = 0;
+  /// How it moves; without a payload as the origin of B.
+  virtual FreeMotion payloadMotion() const noexcept = 0;
   /// Mass [kg] and inertia (about its centre of mass, in B [kg m^2]) of the vehicle itself become
   /// others at once; its motion goes on. For models that describe a payload by such a change.
   virtual void setBody(double mass, const Eigen::Matrix3d& inertia) = 0;

@@ -12,8 +12,8 @@ namespace kernel {
 class RigidBody;
 }
 
-/// A multirotor with an optional payload, as RotorS models it: Newton-Euler rigid body integrated
-/// by RK4, first-order rotors, rotor drag and rolling moment, wind, ground contact.
+/// A multirotor with an optional rigid payload, as RotorS models it: Newton-Euler rigid body
+/// integrated by RK4, first-order rotors, rotor drag and rolling moment, wind, ground contact.
 ///
 /// Rotor speeds follow their command with separate time constants up and down (solved exactly for
 /// a command held over the step) and stay in [0, omega_max]; see also setSpeedLimit(). The payload
@@ -48,6 +48,7 @@ class RigidPlant final : public Plant {
               const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero()) override;
   FreeMotion detach() override;
   const std::optional<Payload>& payload() const noexcept override { return payload_; }
+  FreeMotion payloadMotion() const noexcept override;
   void setBody(double mass, const Eigen::Matrix3d& inertia) override;
   double payloadMass() const noexcept override;
 
@@ -67,6 +68,8 @@ class RigidPlant final : public Plant {
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& point) const;
 
  private:
+  friend class FlexiblePlant;  // lets other bodies act on this one within a step
+
   // Mass [kg], centre of mass in B [m] and inertia about it, in B [kg m^2].
   struct Solid {
     double mass = 0.0;

@@ -61,6 +61,7 @@ class Scribe final : public Plant {
     return {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
   }
   const std::optional<Payload>& payload() const noexcept override { return payload_; }
+  FreeMotion payloadMotion() const noexcept override { return {}; }
   void setBody(double mass, const Eigen::Matrix3d&) override { note("body", mass); }
   double payloadMass() const noexcept override { return 0.0; }
   void setWind(const Eigen::Vector3d& velocity) noexcept override { note("wind", velocity.x()); }
