@@ -22,9 +22,9 @@ constexpr double kRadius = 2.0;     // of the circle [m]
 constexpr double kSpinUp = 2.0;     // until the circle has its rate [s]
 constexpr double kLowest = 1.0;     // of steps [m]: a payload hangs 0.3 m below
 constexpr double kHighest = 5.0;
-constexpr double kFlatBox = 0.05;  // height of a payload [m]
+constexpr double kBoxHeight = 0.05;  // height of a payload [m]
 constexpr Nanoseconds kMillisecond = 1'000'000;
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kOneDegree = M_PI / 180.0;
 const double kRoot3 = std::sqrt(3.0);
 
 void takeOff(PayloadFlight& flight) {
@@ -79,7 +79,7 @@ void drawPayload(Dice& dice, const Vehicle& vehicle, PayloadFlight& flight) {
   AttachPayload attach;
   Payload& payload = attach.payload;
   payload.mass = std::max(dice.between(0.0, 0.6), 1e-3) * vehicle.mass;
-  payload.size = {0.1, 0.1, kFlatBox};
+  payload.size = {0.1, 0.1, kBoxHeight};
   payload.inertia = boxInertia(payload.mass, payload.size);
   const double x = dice.between(-0.03, 0.03);
   const double y = dice.between(-0.03, 0.03);
@@ -109,10 +109,10 @@ void drawSensors(Dice& dice, bool imu, PayloadFlight& flight) {
   sensors.odometry.period = sensors.imu.period = flight.scenario.world.control_period;
   const bool visual = dice.chance(0.5);
   if (visual) {
-    sensors.odometry.noise = {0.002, 0.03, 0.2 * kDegree, 0.01};
-    sensors.odometry.wander = {0.02 / kRoot3, 0.45 * kDegree / kRoot3, 4.0};
+    sensors.odometry.noise = {0.002, 0.03, 0.2 * kOneDegree, 0.01};
+    sensors.odometry.wander = {0.02 / kRoot3, 0.45 * kOneDegree / kRoot3, 4.0};
   } else {
-    sensors.odometry.noise = {0.001, 0.01, 0.05 * kDegree, 0.01};
+    sensors.odometry.noise = {0.001, 0.01, 0.05 * kOneDegree, 0.01};
   }
   const int late = 10 * dice.count(0, 2);
   sensors.odometry.delay = late * kMillisecond;
