@@ -33,9 +33,7 @@ class FlightMonitorTest : public ::testing::Test {
     EXPECT_NE(finding.reason.find(words), std::string::npos) << finding.reason;
   }
 
-  FlightMonitorTest() {
-    monitor_.countSetPoint(0);
-  }
+  FlightMonitorTest() { monitor_.countSetPoint(0); }
 
   FlightMonitor monitor_{kPeriod};
   Load load_ = {2.0, 4.0};  // [kg]
