@@ -11,7 +11,7 @@ target_include_directories(aqc_core
   PRIVATE ${PROJECT_SOURCE_DIR}/src)
 target_compile_features(aqc_core PUBLIC cxx_std_17)
 target_link_libraries(aqc_core PUBLIC Eigen3::Eigen yaml-cpp)
-aqc_precompile(aqc_core)
+aqc_batch(aqc_core)
 
 # Whoever wants the core alone: find_package(aqc_core), target aqc::core; examples/ does. To install
 # nothing else: cmake --install build --component core.

@@ -5,19 +5,19 @@ add_library(aqc_report ${report_sources})
 target_compile_definitions(aqc_report PRIVATE AQC_SOURCE_CONFIG="${PROJECT_SOURCE_DIR}/config")
 target_include_directories(aqc_report PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
 target_link_libraries(aqc_report PUBLIC aqc_core nlohmann_json::nlohmann_json)
-aqc_precompile(aqc_report)
+aqc_batch(aqc_report)
 
 file(GLOB figure_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/figures/*.cpp)
 add_library(aqc_figures ${figure_sources})
 target_link_libraries(aqc_figures PUBLIC aqc_report)
-aqc_precompile(aqc_figures)
+aqc_batch(aqc_figures)
 
 # Fault flights by the thousand.
 file(GLOB campaign_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/campaign/*.cpp)
 add_library(aqc_campaign ${campaign_sources})
 target_include_directories(aqc_campaign PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
 target_link_libraries(aqc_campaign PUBLIC aqc_core Threads::Threads)
-aqc_precompile(aqc_campaign)
+aqc_batch(aqc_campaign)
 
 foreach(program fly fault_flights vehicle_urdf)
   add_executable(${program} ${PROJECT_SOURCE_DIR}/src/apps/${program}.cpp)

@@ -9,7 +9,7 @@ say() { printf '\033[1m%s\033[0m\n' "$*"; }
 fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
 
 common_packages=(build-essential cmake gnuplot-nox libboost-dev libcli11-dev libeigen3-dev
-  libgtest-dev libyaml-cpp-dev nlohmann-json3-dev)
+  libgtest-dev libyaml-cpp-dev ninja-build nlohmann-json3-dev)
 test_packages=(clang-format imagemagick libbenchmark-dev librapidcheck-dev valgrind xvfb)
 viewer_packages=()
 
@@ -63,8 +63,11 @@ build_package() {
   if [ -f /opt/ros/noetic/setup.bash ]; then source /opt/ros/noetic/setup.bash; fi
   say "Building in $build"
   mkdir -p "$build"
+  # Unlike make it compiles a program while the libraries below it are still compiled. A folder
+  # that is there keeps what it has.
+  export CMAKE_GENERATOR=Ninja
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
-    -DAQC_PRECOMPILED_HEADERS=ON "$@" >"$build/configure.log" 2>&1 ||
+    -DAQC_FAST_BUILD=ON "$@" >"$build/configure.log" 2>&1 ||
     { tail -n 20 "$build/configure.log" >&2; fail "cmake failed; see $build/configure.log"; }
   cmake --build "$build" -j"$(nproc)" --target "${build_targets[@]:-all}" >"$build/build.log" 2>&1 ||
     { grep -E 'error|Error' "$build/build.log" | head -n 20 >&2 || true

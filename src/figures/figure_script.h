@@ -7,6 +7,9 @@
 
 namespace aqc {
 
+constexpr double kCurveWidth = 2.0;  ///< of a line; in the key wider, so that its colour is seen
+constexpr double kKeyWidth = 4.0;
+
 /// A line against time [s].
 struct Curve {
   Points points;

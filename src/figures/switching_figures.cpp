@@ -9,8 +9,6 @@ namespace aqc {
 namespace {
 
 constexpr const char* kActive = "active_subsystem";
-constexpr double kWidth = 2.0;
-constexpr double kKeyWidth = 4.0;
 constexpr double kStart = 5.0;  // the two metres of before would squeeze the centimetres after [s]
 
 struct Line {
@@ -52,7 +50,7 @@ void addPanel(Figure& figure, const PlottedFlight& flight, const std::string& la
     if (flight.find(lines[i].column) == nullptr) continue;
     const std::string colour = paletteColour(first_colour + i);
     panel.curves.push_back({lineFrom(from, flight, lines[i].column, scale),
-                            lineStyle(colour, kWidth) + lines[i].dashes});
+                            lineStyle(colour, kCurveWidth) + lines[i].dashes});
     for (const Point& point : panel.curves.back().points) range.include(point.y);
     if (!lines[i].title.empty()) {
       figure.key.push_back({lines[i].title, lineStyle(colour, kKeyWidth) + lines[i].dashes});

@@ -11,7 +11,7 @@ namespace {
 constexpr double kUnknownAcceleration = 15.0;
 constexpr double kUnknownRate = 4.0;
 // Whatever the silence: an attitude that is half a turn off is no vehicle's [rad].
-constexpr double kLargestTurn = 1.5;
+constexpr double kLargestTurnJump = 1.5;
 // What is left of an accelerometer's bias and of a tilt that is not known [m/s^2].
 constexpr double kUnknownBias = 0.5;
 
@@ -76,7 +76,7 @@ bool OdometryGate::believes(const Eigen::Vector3d& specific_force,
 Doubt OdometryGate::jumped(const State& state, const State& expected,
                            double silence) const noexcept {
   const double speed = kUnknownAcceleration * silence;
-  const double turn = std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurn);
+  const double turn = std::min(limits_.turn_jump + kUnknownRate * silence, kLargestTurnJump);
   if (!isTurnedLess(state.attitude, expected.attitude, turn) &&
       state.attitude.angularDistance(expected.attitude) > turn) {
     return Doubt::kTurnJump;

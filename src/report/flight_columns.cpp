@@ -12,9 +12,6 @@
 namespace aqc {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
 constexpr std::array<const char*, 4> kQuaternion = {"x", "y", "z", "w"};  // as Eigen stores it
 
 using Sample = FlightSample;

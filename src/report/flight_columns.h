@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "adaptive_quadrotor_control/flight/flight_log.h"
 
 namespace aqc {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  ///< where there is no value
+constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
 
 /// One number of every sample of a flight.
 struct FlightColumn {

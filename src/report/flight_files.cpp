@@ -22,10 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
-
 // JSON knows no not-a-number and no infinity.
 nlohmann::json number(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);

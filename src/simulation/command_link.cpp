@@ -6,7 +6,7 @@
 namespace aqc {
 namespace {
 
-constexpr std::uint64_t kStream = 101;  // apart from those of the sensors and of gusts
+constexpr std::uint64_t kLinkStream = 101;  // apart from those of the sensors and of gusts
 
 }  // namespace
 
@@ -21,7 +21,7 @@ CommandLink::CommandLink(Eigen::Index rotors, Nanoseconds timeout)
 void CommandLink::lose(double share, Nanoseconds until, std::uint64_t seed) {
   lost_share_ = share;
   lost_until_ = until;
-  dice_ = Random(seed, kStream);
+  dice_ = Random(seed, kLinkStream);
 }
 
 void CommandLink::send(const RotorArray& command, Nanoseconds now) {

@@ -6,7 +6,7 @@
 namespace aqc {
 namespace {
 
-constexpr std::uint64_t kStream = 100;  // apart from those of the sensors
+constexpr std::uint64_t kGustStream = 100;  // apart from those of the sensors
 
 }  // namespace
 
@@ -17,7 +17,7 @@ constexpr std::uint64_t kStream = 100;  // apart from those of the sensors
 //
 // and in the end, with h = infinity, it has 1/2, 1/4, 1/4.
 Gust::Gust(const SetGust& shape, Nanoseconds step)
-    : intensity_(shape.intensity), random_(shape.seed, kStream) {
+    : intensity_(shape.intensity), random_(shape.seed, kGustStream) {
   const double h = shape.speed / shape.length * toSeconds(step);
   decay_ = std::exp(-h);
   carry_ = h * decay_;

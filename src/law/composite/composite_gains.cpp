@@ -10,8 +10,8 @@
 namespace aqc {
 namespace {
 
-constexpr double kThrustShare = 0.98;  // of full thrust: the rest is for moments
-constexpr double kLeastLift = 1e-3;    // [N]; the law itself never asks for so little
+constexpr double kThrustShare = 0.98;       // of full thrust: the rest is for moments
+constexpr double kLeastThrustLimit = 1e-3;  // [N]; the law itself never asks for so little
 const Range kLead = Range::between(1.0, 100.0);
 const Range kSpeed = Range::positiveUpTo(1e3);
 
@@ -51,7 +51,7 @@ Composite::Composite(const ParameterReader& reader, const Vehicle& vehicle)
           kLead)),
       tilt_(reader.angle({"max_tilt_deg", "", "deg", "largest tilt commanded"},
                          Range::positiveUpTo(89.0)),
-            kLeastLift),
+            kLeastThrustLimit),
       sideways_(readApproach(reader.child("position"), 0)),
       vertical_(readApproach(reader.child("position"), 1)),
       gain_(readPair(reader.child("position"),

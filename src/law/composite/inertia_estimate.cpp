@@ -20,8 +20,8 @@ constexpr double kExcitation = 0.3;   // [rad/s^2 s^1/2], below which the prior 
 // that nobody told of, as that of a payload just dropped, turns the vehicle against its rotors.
 constexpr double kIncoherent = 0.5;
 constexpr double kCoherent = 0.8;
-constexpr double kLeastShare = 0.7;  // of J0
-constexpr double kMostShare = 2.5;
+constexpr double kLeastInertia = 0.7;  // of J0
+constexpr double kMostInertia = 2.5;
 constexpr double kMostSlope = 0.07;  // of the bound over the carried mass [m^2]
 
 }  // namespace
@@ -86,12 +86,12 @@ void InertiaEstimate::update(const Eigen::Vector3d& body_rate, const Eigen::Vect
   products_ = keep * products_ + dt * torque.cwiseProduct(acceleration);
   acceleration_squares_ = keep * acceleration_squares_ + dt * acceleration.cwiseAbs2();
   const Eigen::Vector3d most =
-      kMostShare * empty_.array() + kMostSlope * std::max(mass - empty_mass_, 0.0);
+      kMostInertia * empty_.array() + kMostSlope * std::max(mass - empty_mass_, 0.0);
   const Eigen::Vector3d expected = prior(mass);
   const Eigen::Vector3d squares = (moment_squares_ + weight_.cwiseProduct(expected))
                                       .cwiseQuotient((products_ + weight_).cwiseMax(0.2 * weight_));
   const Eigen::Vector3d fit = (expected + trust().cwiseProduct(squares - expected))
-                                  .cwiseMax(kLeastShare * empty_)
+                                  .cwiseMax(kLeastInertia * empty_)
                                   .cwiseMin(most);
   const Eigen::Vector3d raised = value_ + rise_.share(dt) * (fit - value_);
   value_ = fit.cwiseMin(raised);

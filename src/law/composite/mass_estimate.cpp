@@ -17,8 +17,8 @@ constexpr double kLeastThrust = 0.3;   // of the empty vehicle's weight: less te
 constexpr double kLeastLift = 0.3;     // of gravity
 // The rotors give less than this share of what the empty vehicle needs: something else holds it.
 constexpr double kLiftedShare = 0.8;
-constexpr double kLeastShare = 0.7;  // of the empty mass: a force constant may be wrong
-constexpr double kMostShare = 0.98;  // of what the rotors can lift
+constexpr double kLeastMass = 0.7;   // of the empty mass: a force constant may be wrong
+constexpr double kMostMass = 0.98;   // of what the rotors can lift
 constexpr double kMostForce = 30.0;  // [m/s^2]
 const Range kTimeConstant = Range::positiveUpTo(100.0);
 
@@ -27,7 +27,7 @@ const Range kTimeConstant = Range::positiveUpTo(100.0);
 MassEstimate::MassEstimate(const ParameterReader& reader, const Vehicle& vehicle)
     : empty_mass_(vehicle.mass),
       liftable_(vehicle.maxThrust() / kGravity),
-      most_(kMostShare * liftable_),
+      most_(kMostMass * liftable_),
       sample_(kSampleTime),
       mass_lag_(reader.number({"mass_time", "tau_m", "s", "time constant of the mass, with an IMU"},
                               kTimeConstant)),
@@ -45,7 +45,7 @@ MassEstimate::MassEstimate(const ParameterReader& reader, const Vehicle& vehicle
 }
 
 double MassEstimate::within(double mass) const noexcept {
-  return std::min(std::max(mass, kLeastShare * empty_mass_), most_);
+  return std::min(std::max(mass, kLeastMass * empty_mass_), most_);
 }
 
 // Until the rotors carry it, the ground does, and nothing can be learned. `lift` is felt [m/s^2].
@@ -140,7 +140,7 @@ void MassEstimate::adopt(const MassEstimate& old) noexcept {
 }
 
 void MassEstimate::bound(double most) noexcept {
-  most_ = std::min(most, kMostShare * liftable_);
+  most_ = std::min(most, kMostMass * liftable_);
   learned_.mass = within(learned_.mass);
   values_.mass = within(values_.mass);
 }

@@ -9,7 +9,7 @@ namespace aqc {
 namespace {
 
 constexpr double kHeightShare = 0.9;  // of the thrust that a hover leaves
-constexpr double kLeastLift = 0.25;   // of the weight: what points up can be steered
+constexpr double kLeastRise = 0.25;   // of the weight: what points up can be steered
 
 double leg(double hypotenuse, double other) noexcept {
   return std::sqrt(std::max(hypotenuse * hypotenuse - other * other, 0.0));
@@ -31,7 +31,7 @@ double ThrustShare::upwards(double mass) const noexcept {
 }
 
 ThrustShare::Force ThrustShare::share(const Eigen::Vector3d& asked, double mass) const noexcept {
-  const double least = std::min(kLeastLift * mass * kGravity, most_);
+  const double least = std::min(kLeastRise * mass * kGravity, most_);
   double vertical = std::clamp(asked.z(), least, most_);
   bool clamped = vertical != asked.z();
   const double side = asked.head<2>().norm();
