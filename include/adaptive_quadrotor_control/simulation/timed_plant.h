@@ -34,7 +34,8 @@ class TimedPlant {
   /// Whether a payload of that name lies about or hangs under the vehicle.
   bool knows(const std::string& name) const;
   /// Empty when a payload may be picked up from where it is now, else why not. Cargo can be picked
-  /// up within kReach of the place under the vehicle where it will hang.
+  /// up within kReach of the place under the vehicle where it will hang, and on a cable as far from
+  /// the hook as that is long.
   std::string obstacle(const AttachPayload& attach) const;
   static constexpr double kReach = 0.5;  ///< [m]
 
