@@ -48,6 +48,7 @@ class Diary {
     if (i % 2 == 0) state.body_rate = dice_.vector(0.05);
     set_point.position = state.position + dice_.vector(i % 4 < 2 ? 0.01 : 3.0);
     set_point.velocity = state.velocity + dice_.vector(i % 4 < 2 ? 0.01 : 3.0);
+    if (i % 7 == 6) set_point.acceleration.z() -= 15.0;  // asks for less lift than none
     Sensed sensed = {state};
     if (i % 5 < 3) sensed.specific_force = dice_.vector(20.0);
     const Wrench wrench = test::step(law_, sensed, set_point, 0.01);
