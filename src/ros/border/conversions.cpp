@@ -199,6 +199,7 @@ void fill(const FlightSample& sample, msgs::ControllerState& message) {
   message.sliding_attitude = toVector3(telemetry.sliding_attitude);
   message.force = toVector3(telemetry.force);
   message.mass_estimate = telemetry.mass_estimate;
+  message.weighed_mass = telemetry.weighed_mass;
   message.adaptive_values.assign(telemetry.adaptive.begin(), telemetry.adaptive.end());
   message.thrust = allocation.requested.thrust;
   message.moment = toVector3(allocation.requested.moment);
@@ -232,6 +233,7 @@ FlightSample toSample(const msgs::ControllerState& message) {
   telemetry.sliding_attitude = toEigen(message.sliding_attitude);
   telemetry.force = toEigen(message.force);
   telemetry.mass_estimate = message.mass_estimate;
+  telemetry.weighed_mass = message.weighed_mass;
   telemetry.adaptive = Eigen::Map<const Eigen::VectorXd>(
       message.adaptive_values.data(), static_cast<Eigen::Index>(message.adaptive_values.size()));
   allocation.requested = {message.thrust, toEigen(message.moment)};

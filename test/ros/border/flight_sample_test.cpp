@@ -44,7 +44,8 @@ void walkSetPoint(SetPoint& set_point, Do&& visit) {
 template <class Telemetry, class Do>
 void walkTelemetry(Telemetry& telemetry, Do&& visit) {
   auto& [position_error, velocity_error, attitude_error, rate_error, sliding_position,
-         sliding_attitude, force, desired_attitude, mass_estimate, adaptive] = telemetry;
+         sliding_attitude, force, desired_attitude, mass_estimate, weighed_mass, adaptive] =
+      telemetry;
   visit("position_error", position_error);
   visit("velocity_error", velocity_error);
   visit("attitude_error", attitude_error);
@@ -54,6 +55,7 @@ void walkTelemetry(Telemetry& telemetry, Do&& visit) {
   visit("force", force);
   visit("desired_attitude", desired_attitude);
   visit("mass_estimate", mass_estimate);
+  visit("weighed_mass", weighed_mass);
   visit("adaptive_values", adaptive);
 }
 
@@ -178,7 +180,7 @@ TEST(FlightSampleMessage, HasEveryFieldWhereItsNameSays) {
                velocity, body_rate, desired_position, desired_velocity, desired_acceleration,
                desired_yaw, desired_yaw_rate, desired_attitude, goal_position, goal_yaw,
                position_error, velocity_error, attitude_error, rate_error, sliding_position,
-               sliding_attitude, force, mass_estimate, adaptive_names, adaptive_units,
+               sliding_attitude, force, mass_estimate, weighed_mass, adaptive_names, adaptive_units,
                adaptive_values, thrust, moment, thrust_achieved, moment_achieved, saturated,
                rotor_speeds, trajectory_stamp, set_points_pending, dropped_odometry,
                dropped_set_points, imu_lost, imu_losses, dropped_imu, active_subsystem, switches,
@@ -204,6 +206,7 @@ TEST(FlightSampleMessage, HasEveryFieldWhereItsNameSays) {
   told("sliding_attitude", toEigen(sliding_attitude));
   told("force", toEigen(force));
   told("mass_estimate", mass_estimate);
+  told("weighed_mass", weighed_mass);
   told("adaptive_values", adaptive_values);
   told("requested.thrust", thrust);
   told("requested.moment", toEigen(moment));
