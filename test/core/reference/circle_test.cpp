@@ -32,7 +32,9 @@ TEST(Circle, BeginsAtRestAndEveryDerivativeIsThatOfTheOneBefore) {
     const SetPoint at = onCircle(eased(), time);
     const SetPoint before = onCircle(eased(), time - kStep);
     const SetPoint after = onCircle(eased(), time + kStep);
-    const auto slope = [&](auto of) { return (of(after) - of(before)).eval() / (2.0 * kStep); };
+    const auto slope = [&](auto of) -> Eigen::Vector3d {
+      return (of(after) - of(before)) / (2.0 * kStep);
+    };
     EXPECT_LT((slope([](const SetPoint& p) { return p.position; }) - at.velocity).norm(), 1e-8);
     EXPECT_LT((slope([](const SetPoint& p) { return p.velocity; }) - at.acceleration).norm(), 1e-8);
     EXPECT_LT((slope([](const SetPoint& p) { return p.acceleration; }) - at.jerk).norm(), 1e-8);
