@@ -1,6 +1,7 @@
 #include "campaign/in_parallel.h"
 
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -12,9 +13,19 @@ void inParallel(int count, int threads, const std::function<void(int)>& work,
   std::atomic<int> next{0};
   std::mutex counting;
   int done = 0;
+  std::exception_ptr failure;
+  const auto attempt = [&](int i) noexcept {
+    try {
+      work(i);
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(counting);
+      if (!failure) failure = std::current_exception();
+      next = count;
+    }
+  };
   const auto take = [&] {
     for (int i = next++; i < count; i = next++) {
-      work(i);
+      attempt(i);
       const std::lock_guard<std::mutex> lock(counting);
       ++done;
       if (progress) progress(static_cast<double>(done) / count);
@@ -23,6 +34,7 @@ void inParallel(int count, int threads, const std::function<void(int)>& work,
   std::vector<std::thread> team;
   for (int i = 0; i < threads; ++i) team.emplace_back(take);
   for (std::thread& thread : team) thread.join();
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace aqc

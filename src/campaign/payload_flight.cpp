@@ -42,7 +42,9 @@ void drawSteps(Dice& dice, PayloadFlight& flight) {
        time += dice.between(4.0, 6.0)) {
     Eigen::Vector3d next;
     do {
-      next = place + dice.between(0.0, 4.0) * dice.direction();
+      const Eigen::Vector3d way =
+          dice.direction();  // first: compilers order a product as they like
+      next = place + dice.between(0.0, 4.0) * way;
     } while (next.z() < kLowest || next.z() > kHighest);
     place = next;
     TimedSetPoint point;

@@ -63,6 +63,7 @@ Wrench RotorAllocation::wrench(const RotorArray& speeds) const noexcept {
 double RotorAllocation::mostThrust(const Eigen::Vector3d& moment) const noexcept {
   double most = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < inverse_.rows(); ++i) {
+    if (inverse_(i, 0) <= 0.0) continue;  // more thrust does not bring it to its limit
     const double tilt = inverse_(i, 1) * moment.x() + inverse_(i, 2) * moment.y();
     most = std::min(most, (max_squared_speed_ - tilt) / inverse_(i, 0));
   }

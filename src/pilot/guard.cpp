@@ -48,8 +48,6 @@ const char* Guard::arm() noexcept {
   if (tilt(state_) > limits_.tip_tilt) return "the vehicle is tilted";
   stood_at_ = state_.position.z();
   place_ = standing(state_);
-  // From whatever slope it stands on.
-  least_up_.standing = std::cos(tilt(state_) + kRock * limits_.tip_tilt);
   crashed_ = false;
   enter(Mode::kArmed, Rule::kOperator);
   return nullptr;
@@ -63,7 +61,10 @@ const char* Guard::disarm() noexcept {
 
 const char* Guard::takeOff() noexcept {
   if (mode_ != Mode::kArmed) return "it is not armed and on the ground";
+  if (unfit_ != nullptr) return unfit_;  // gains may have changed since
   plan_is_new_ = false;
+  // From whatever slope it stands on.
+  least_up_.standing = std::cos(tilt(state_) + kRock * limits_.tip_tilt);
   enter(Mode::kTakingOff, Rule::kOperator);
   governor_.restart(place_);
   return nullptr;

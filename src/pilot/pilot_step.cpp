@@ -50,7 +50,9 @@ Situation Pilot::situation(const SetPoint* planned, double dt) const noexcept {
   now.plan_age = guarded.plan_age;
   now.given = &allocation();
   now.load = load_.load();
-  now.missing_rotors = guarded.rotors.missing();
+  // Of rotors that hover with what they carry: a load off the centre turns the body, too.
+  const double laden = guarded.mass * kGravity * guarded.per_weight;
+  now.missing_rotors = guarded.rotors.missing() / std::max(laden, 1.0);
   now.law_finite = law().finite() && law().telemetry().force.allFinite();
   return now;
 }
@@ -98,6 +100,7 @@ void Pilot::stepGuarded(Nanoseconds now) noexcept {
     if (situation.state != &sensed_.state) {  // that of dead reckoning, which is of now
       sensed.state = *situation.state;
       sensed.ages.pose = sensed.ages.body_rate = 0.0;
+      sensed.rate_of_odometry = !guarded.reckoning.feels();
     }
     controller_.step(sensed, decision.set_point, dt, decision.learn);
   } else {
@@ -151,7 +154,9 @@ Sensed Pilot::sense(Nanoseconds now) noexcept {
   }
   Sensed sensed = sensed_;
   const Eigen::Vector3d* body_rate = law().usesGyroscope() ? imu_.bodyRate() : nullptr;
-  if (body_rate != nullptr && imu_.time() >= odometry_time) {
+  sensed.rate_of_odometry = body_rate == nullptr;
+  const bool young = now - imu_.time() <= limits_.specific_force_age;
+  if (body_rate != nullptr && young && imu_.time() >= odometry_time) {
     sensed.state.body_rate = *body_rate;
     sensed.ages.body_rate = sensed.ages.specific_force;
   }

@@ -64,6 +64,9 @@ struct Sensed {
   /// of mass. Nothing when there is none, or none that is young enough to be used.
   std::optional<Eigen::Vector3d> specific_force = std::nullopt;
   Ages ages = {};
+  /// An accelerometer without a gyroscope: the body rate is odometry's, which may be older than it
+  /// says.
+  bool rate_of_odometry = false;
 };
 
 /// What became of a command.

@@ -52,7 +52,10 @@ class FlightMonitor {
   void countSetPoint(Nanoseconds now) noexcept { set_point_time_ = now; }
   void countDroppedSetPoint() noexcept { ++dropped_set_points_; }
   /// The clock of the odometry was started anew, and the controller with it.
-  void countNewStart() noexcept { ++new_starts_; }
+  void countNewStart() noexcept {
+    ++new_starts_;
+    heavy_since_ = -1;
+  }
   /// A control step at `now`. Only steps that fly tell about rotors and mass.
   void countStep(Nanoseconds now, bool flying, const Telemetry& telemetry, bool saturated,
                  const Load& load) noexcept;

@@ -27,7 +27,8 @@ class RotorObserver {
   /// [N m] in B.
   void observe(const Eigen::Vector3d& body_rate, const Eigen::Vector3d& moment, double dt) noexcept;
 
-  /// The unexplained moment about x and y: that of so many hovering rotors, >= 0.
+  /// The unexplained moment about x and y: that of so many rotors of the hovering, empty vehicle,
+  /// >= 0.
   double missing() const noexcept { return unexplained_.head<2>().norm() * per_rotor_; }
 
  private:

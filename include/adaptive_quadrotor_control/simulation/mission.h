@@ -30,6 +30,9 @@ struct Mission {
 ///             thrust_to_weight are 30 and 1.5 when not given
 ///     sine:   {at, until, position: [x, y, z], amplitude: [x, y, z], angular_frequency, yaw_deg}
 ///             position + amplitude sin(angular_frequency (t - at)), at rest where it ends
+///     circle: {at, until, centre: [x, y], angular_frequency, ease}
+///             from the present set point around the centre, level and counter-clockwise; its rate
+///             [rad/s] grows for `ease` seconds. It ends in motion
 ///     hold:   {for}                                   nothing new for so many seconds
 ///     attach: {at, payload}                           a name of the scenario's `payloads`
 ///     detach: {at}
@@ -52,11 +55,11 @@ struct Mission {
 ///             heard stays, until the world's time-out
 ///     switch: {at, subsystem}                         laws without subsystems ignore it
 ///
-/// `at` is a time in seconds; without it the entry begins when the last leg (step, path, sine or
-/// hold) ends. `yaw_deg` stays as it was when not given. Entries stand in the order of the times at
-/// which they begin, and a leg begins no earlier than the last one ends.
+/// `at` is a time in seconds; without it the entry begins when the last leg (step, path, sine,
+/// circle or hold) ends. `yaw_deg` stays as it was when not given. Entries stand in the order of
+/// the times at which they begin, and a leg begins no earlier than the last one ends.
 ///
-/// A path or a sine becomes set points with velocity, acceleration and jerk, one every
+/// A path, a sine or a circle becomes set points with velocity, acceleration and jerk, one every
 /// `set_point_period`; one with which the mission has more than kMostSetPoints is refused. Throws
 /// ParameterError.
 Mission readMission(const ParameterReader& scenario, const std::map<std::string, Payload>& payloads,

@@ -82,8 +82,9 @@ void Composite::sense(const Sensed& sensed, double dt) noexcept {
     if (rate_elapsed_ > 0.0) {
       mean_moment_ = applied_.mean(given_.body_rate, ages_.body_rate, rate_elapsed_).moment;
     }
-    const auto source = sensed.specific_force ? MomentObserver::Source::kGyroscope
-                                              : MomentObserver::Source::kOdometry;
+    const bool gyroscope = sensed.specific_force && !sensed.rate_of_odometry;
+    const auto source =
+        gyroscope ? MomentObserver::Source::kGyroscope : MomentObserver::Source::kOdometry;
     moment_.see(rate_, mean_moment_, inertia_.value(), rate_elapsed_, source);
   } else {
     moment_.restart(rate_);

@@ -52,6 +52,25 @@ Nanoseconds readDuration(const ParameterReader& reader, const Request& request) 
   return request.for_so_long.toNSec();
 }
 
+void setMount(const RigidMount&, msgs::AttachPayload::Request&) {}
+
+void setMount(const Joint& joint, msgs::AttachPayload::Request& request) {
+  request.joint_frequency = joint.frequency;
+  request.joint_damping = joint.damping;
+}
+
+void setMount(const Cable& cable, msgs::AttachPayload::Request& request) {
+  request.cable_length = cable.length;
+}
+
+void addMount(const msgs::AttachPayload::Request& request, YAML::Node& tree) {
+  if (request.joint_frequency != 0.0 || request.joint_damping != 0.0) {
+    tree["joint"]["frequency"] = toYaml(request.joint_frequency);
+    tree["joint"]["damping"] = toYaml(request.joint_damping);
+  }
+  if (request.cable_length != 0.0) tree["cable"]["length"] = toYaml(request.cable_length);
+}
+
 }  // namespace
 
 msgs::AttachPayload::Request toRequest(const AttachPayload& action, const ros::Time& at) {
@@ -62,6 +81,7 @@ msgs::AttachPayload::Request toRequest(const AttachPayload& action, const ros::T
   request.size = toVector3(action.payload.size);
   request.offset = toVector3(action.payload.offset);
   setInertia(action.payload.inertia, request);
+  std::visit([&](const auto& mount) { setMount(mount, request); }, action.payload.mount);
   return request;
 }
 
@@ -72,6 +92,7 @@ AttachPayload toAction(const msgs::AttachPayload::Request& request) {
   tree["offset"] = toYaml(request.offset);
   const bool solid_box = isZero(request.inertia) && isZero(request.products);
   if (!solid_box) tree["inertia"] = inertiaOf(request);
+  addMount(request, tree);
   return {request.name, readPayload(ParameterReader(tree, "payload"))};
 }
 

@@ -97,9 +97,12 @@ void PilotInputs::onOdometry(const OdometryEvent& event) {
 }
 
 void PilotInputs::onImu(const sensor_msgs::Imu::ConstPtr& message) {
-  const Answer answer =
-      pilot_.hear(toEigen(message->linear_acceleration), toEigen(message->angular_velocity),
-                  toNanoseconds(message->header.stamp));
+  const Eigen::Vector3d force = toEigen(message->linear_acceleration);
+  const Nanoseconds stamp = toNanoseconds(message->header.stamp);
+  // So sensor_msgs/Imu says that there is none.
+  const bool gyroscope = message->angular_velocity_covariance[0] != -1.0;
+  const Answer answer = gyroscope ? pilot_.hear(force, toEigen(message->angular_velocity), stamp)
+                                  : pilot_.hear(force, stamp);
   if (answer.refusal != nullptr) {
     ROS_WARN_THROTTLE(kWarningPeriod, "imu sample dropped: %s (%ld so far)", answer.refusal,
                       pilot_.imu().dropped());

@@ -187,6 +187,17 @@ void PlantNode::publishOdometry(const OdometryMessage& message) {
   odometry_publisher_.publish(toOdometry(message.state, message.stamp));
 }
 
+namespace {
+
+// Of the payload's centre from the vehicle's origin, in B [m]; it may swing.
+Eigen::Vector3d payloadOffset(const Plant& plant) {
+  if (plant.payload()->rigid()) return plant.payload()->offset;
+  const State& state = plant.state();
+  return state.attitude.conjugate() * (plant.payloadMotion().position - state.position);
+}
+
+}  // namespace
+
 void PlantNode::publishTransforms(const ros::Time& stamp) {
   transform_stamp_ = stamp;
   const State& state = plant_->plant().state();
@@ -197,10 +208,10 @@ void PlantNode::publishTransforms(const ros::Time& stamp) {
   transform.transform.translation = toVector3(state.position);
   transform.transform.rotation = toQuaternion(state.attitude);
   transforms_.sendTransform(transform);
-  if (const auto& payload = plant_->plant().payload()) {
+  if (plant_->plant().payload()) {
     transform.header.frame_id = kBodyFrame;
     transform.child_frame_id = "payload";
-    transform.transform.translation = toVector3(payload->offset);
+    transform.transform.translation = toVector3(payloadOffset(plant_->plant()));
     transform.transform.rotation = toQuaternion(Eigen::Quaterniond::Identity());
     transforms_.sendTransform(transform);
   }
@@ -231,7 +242,7 @@ void PlantNode::publishTruth(const ros::Time& stamp) {
   if (const auto& payload = plant.payload()) {
     status.payload_name = plant_->attachedName();
     status.payload_size = toVector3(payload->size);
-    status.payload_offset = toVector3(payload->offset);
+    status.payload_offset = toVector3(payloadOffset(plant));
   }
   for (const Cargo& cargo : plant_->cargo()) {
     status.cargo_names.push_back(cargo.name);

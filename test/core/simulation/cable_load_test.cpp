@@ -63,8 +63,7 @@ TEST(CableLoad, SwingsFreelyAtTheFrequencyOfTheTextbook) {
     const auto plant = swung(vehicle, length, 0.01);
     const RotorArray hover = test::hoverSpeeds(vehicle, vehicle.mass + kMass);
     spinUp(*plant, hover);
-    const double expected =
-        std::sqrt(kGravity * (vehicle.mass + kMass) / (length * vehicle.mass));
+    const double expected = std::sqrt(kGravity * (vehicle.mass + kMass) / (length * vehicle.mass));
     // Through zero for the n-th time after n - 1/2 half periods.
     int crossings = 0;
     double last = 1.0;
@@ -82,7 +81,8 @@ TEST(CableLoad, SwingsFreelyAtTheFrequencyOfTheTextbook) {
 
 TEST(CableLoad, KeepsItsEnergyAndItsLengthWhenItSwingsFar) {
   const Vehicle vehicle = smooth();
-  for (const Eigen::Vector3d& hook : {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.03, 0.02, -0.05)}) {
+  for (const Eigen::Vector3d& hook :
+       {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.03, 0.02, -0.05)}) {
     // In free fall and spun up: the cable stays taut without a thrust that works.
     State start = at(500.0);
     start.body_rate = {0.5, 1.0, 0.3};
@@ -125,9 +125,9 @@ TEST(CableLoad, SnatchTakesAwayThePartingSpeedAndKeepsMomentum) {
   EXPECT_NEAR(plant.payloadMotion().position.x() - plant.state().position.x(), 1.0, 1e-6);
 }
 
-/// K. Sreenath, T. Lee, V. Kumar 2013, eq. (1) to (5), of a hook in the centre of mass: position and
-/// velocity of the load, direction q of the cable from vehicle to load and its rate omega, attitude
-/// by columns and body rate, under a constant thrust f and moment M.
+/// K. Sreenath, T. Lee, V. Kumar 2013, eq. (1) to (5), of a hook in the centre of mass: position
+/// and velocity of the load, direction q of the cable from vehicle to load and its rate omega,
+/// attitude by columns and body rate, under a constant thrust f and moment M.
 struct Sreenath {
   using Numbers = std::vector<double>;
   Vehicle vehicle;
@@ -145,9 +145,8 @@ struct Sreenath {
     const double m_Q = vehicle.mass;
     const Eigen::Vector3d push = thrust * R.col(2);
     const Eigen::Vector3d dq = omega.cross(q);
-    const Eigen::Vector3d a =
-        (q.dot(push) - m_Q * length * dq.squaredNorm()) / (m_Q + kMass) * q -
-        kGravity * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d a = (q.dot(push) - m_Q * length * dq.squaredNorm()) / (m_Q + kMass) * q -
+                              kGravity * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d domega = -q.cross(push) / (m_Q * length);
     const Eigen::Vector3d dOmega =
         vehicle.inertia.inverse() * (moment - Omega.cross(vehicle.inertia * Omega));
@@ -230,8 +229,8 @@ TEST(CableLoad, IsLiftedOffTheGroundWhenTheCableIsTaut) {
 TEST(CableLoad, CargoBeyondTheCableIsOutOfReach) {
   Cargo cargo{"bob", bob(1.0), {0.0, 0.0, 0.05}, Eigen::Vector3d::Zero()};
   const auto timed = [&](double height) {
-    return TimedPlant(
-        std::make_unique<FlexiblePlant>(test::pelican(), at(height)), {cargo}, 1'000'000);
+    return TimedPlant(std::make_unique<FlexiblePlant>(test::pelican(), at(height)), {cargo},
+                      1'000'000);
   };
   EXPECT_EQ(timed(1.0).obstacle({"bob", {}}), "");
   EXPECT_EQ(timed(1.15).obstacle({"bob", {}}),

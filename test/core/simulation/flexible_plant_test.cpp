@@ -100,8 +100,8 @@ TEST(FlexiblePlant, KeepsMomentumInFreeFall) {
     const Eigen::Vector3d linear = plant.linearMomentum();
     const auto spin = [&]() -> Eigen::Vector3d {
       const double mass = vehicle.mass + 0.4;
-      const Eigen::Vector3d centre = (vehicle.mass * plant.state().position +
-                                      0.4 * plant.payloadMotion().position) / mass;
+      const Eigen::Vector3d centre =
+          (vehicle.mass * plant.state().position + 0.4 * plant.payloadMotion().position) / mass;
       return plant.angularMomentum(origin) - centre.cross(plant.linearMomentum());
     };
     const Eigen::Vector3d spin_at_start = spin();

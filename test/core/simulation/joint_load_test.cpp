@@ -50,8 +50,8 @@ TEST(JointLoad, SwingsFreelyWithTheFrequencyAndDampingThatItSays) {
         for (int i = 1; i <= 60; ++i) {
           for (int part = 0; part < 10; ++part) plant.step(RotorArray::Zero(4), 0.1 * step);
           const double time = i * step;
-          const double expected = speed / swinging * std::exp(-damping * omega * time) *
-                                  std::sin(swinging * time);
+          const double expected =
+              speed / swinging * std::exp(-damping * omega * time) * std::sin(swinging * time);
           ASSERT_NEAR(displacement(plant)[axis], expected, 2e-3 * speed / swinging)
               << frequency << " Hz, " << damping << ", axis " << axis;
         }

@@ -63,6 +63,41 @@ TEST_F(PlantServices, CarryAPayloadWithItsWholeInertia) {
   }
 }
 
+TEST_F(PlantServices, CarryWhatHoldsAPayload) {
+  AttachPayload attach{"box", {}};
+  attach.payload.mass = 0.4;
+  attach.payload.size.setConstant(0.1);
+  attach.payload.inertia = boxInertia(0.4, attach.payload.size);
+  EXPECT_TRUE(sent(attach).payload.rigid());
+  for (int i = 0; i < kTrials; ++i) {
+    const Joint joint{number(0.1, 200.0), i == 0 ? 0.0 : number(0.0, 2.0)};
+    attach.payload.mount = joint;
+    const AttachPayload with_joint = sent(attach);
+    const auto* heard = std::get_if<Joint>(&with_joint.payload.mount);
+    ASSERT_NE(heard, nullptr);
+    EXPECT_EQ(heard->frequency, joint.frequency);
+    EXPECT_EQ(heard->damping, joint.damping);
+    attach.payload.mount = Cable{number(0.05, 100.0)};
+    const AttachPayload with_cable = sent(attach);
+    const auto* cable = std::get_if<Cable>(&with_cable.payload.mount);
+    ASSERT_NE(cable, nullptr);
+    EXPECT_EQ(cable->length, std::get<Cable>(attach.payload.mount).length);
+  }
+}
+
+TEST_F(PlantServices, RefuseAPayloadOnJointAndCable) {
+  auto request = toRequest(AttachPayload{"", {}}, kAt);
+  request.mass = 0.4;
+  request.size = toVector3({0.1, 0.1, 0.1});
+  request.joint_frequency = 9.0;
+  request.cable_length = 1.0;
+  EXPECT_THROW(toAction(request), ParameterError);
+  request.joint_frequency = 0.0;
+  EXPECT_NO_THROW(toAction(request));
+  request.cable_length = -1.0;
+  EXPECT_THROW(toAction(request), ParameterError);
+}
+
 TEST_F(PlantServices, CarryABodyWithItsWholeInertia) {
   for (int i = 0; i < kTrials; ++i) {
     const SetBody body{1e-3 + positive(900.0), inertia()};
