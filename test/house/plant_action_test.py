@@ -13,6 +13,8 @@ import unittest
 
 SOURCE_TREE = pathlib.Path(__file__).resolve().parents[2]
 HEADER = 'adaptive_quadrotor_control/simulation/plant_action.h'
+# Of an action, not of what holds a payload.
+VISIT = re.compile(r'std::visit\((?!.*mount)')
 KINDS = 'AttachPayload|DetachPayload|SetWind|ApplyDisturbance|SetBody|SetRotor|SetBattery|SetGust|LoseCommands'
 
 
@@ -32,7 +34,7 @@ class PlantAction(unittest.TestCase):
 
     def test_with_a_new_kind_does_not_compile(self):
         visiting = [path for path, text in sources()
-                    if 'std::visit(' in text and re.search(KINDS, text)]
+                    if VISIT.search(text) and re.search(KINDS, text)]
         self.assertGreaterEqual(len(visiting), 2)
         with tempfile.TemporaryDirectory() as folder:
             copy = pathlib.Path(folder) / HEADER
@@ -53,7 +55,7 @@ class PlantAction(unittest.TestCase):
         self.assertTrue('CutPower' in result.stderr, 'a new kind passes unnoticed')
         self.assertNotIn('fatal error', result.stderr)
         for number, line in enumerate(path.read_text().splitlines(), 1):
-            if 'std::visit(' in line:
+            if VISIT.search(line):
                 place = '%s:%d:' % (path, number)
                 self.assertTrue(place in result.stderr, place + ' a new kind passes unnoticed')
 

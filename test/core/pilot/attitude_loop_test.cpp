@@ -83,6 +83,10 @@ TEST(AttitudeLoop, GainsThatMakeItUnstableAreNotArmed) {
   EXPECT_EQ(pilot.guard()->disarm(), nullptr);
   EXPECT_EQ(pilot.handOver(law), "");
   EXPECT_EQ(pilot.guard()->arm(), refusal);
+  EXPECT_EQ(pilot.handOver(law), "");
+  EXPECT_EQ(pilot.guard()->arm(), nullptr);
+  EXPECT_EQ(pilot.handOver(law), "") << "its rotors idle";
+  EXPECT_EQ(pilot.guard()->takeOff(), refusal);
 }
 
 }  // namespace

@@ -419,6 +419,8 @@ TEST_F(GuardTest, TippedOverBeforeLiftOffNeedsLess) {
   tilt(slope + limits_.tip_tilt / 3.0 + 0.01);
   stepFor(limits_.tip_time);
   EXPECT_EQ(guard_.mode(), Mode::kArmed) << "whoever lifts an idle vehicle may tilt it";
+  tilt(slope);
+  step();
   ASSERT_EQ(guard_.takeOff(), nullptr);
   tilt(slope + limits_.tip_tilt / 3.0 - 0.01);
   stepFor(limits_.tip_time);
@@ -426,6 +428,16 @@ TEST_F(GuardTest, TippedOverBeforeLiftOffNeedsLess) {
   tilt(slope + limits_.tip_tilt / 3.0 + 0.01);
   EXPECT_NEAR(until(Mode::kDisarmed), limits_.tip_time / 6.0, 2.0 * kStep);
   expectDisarmed(Rule::kTipped);
+}
+
+TEST_F(GuardTest, TakesOffFromTheSlopeOnWhichItWasPutAfterItWasArmed) {
+  step();
+  ASSERT_EQ(guard_.arm(), nullptr);
+  tilt(limits_.tip_tilt / 3.0 + 0.05);
+  step();
+  ASSERT_EQ(guard_.takeOff(), nullptr);
+  stepFor(limits_.tip_time);
+  EXPECT_EQ(guard_.mode(), Mode::kTakingOff);
 }
 
 TEST_F(GuardTest, OdometryLostAtSpeedBrakesBeforeItSinks) {

@@ -27,7 +27,7 @@ class Overload(unittest.TestCase):
         attach = rospy.ServiceProxy('/uav/plant/attach_payload', AttachPayload)
         self.assertTrue(attach(mass=2.3, size=Vector3(0.1, 0.1, 0.1),
                                offset=Vector3(0, 0, -0.15)).success)
-        diagnostics.expect('Payload', [ERROR], 'kg lift')
+        diagnostics.expect('Payload', [ERROR], 'too heavy')
         diagnostics.expect('Rotors', [WARN, ERROR], 'at a limit')
 
 
