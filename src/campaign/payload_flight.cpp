@@ -42,8 +42,8 @@ void drawSteps(Dice& dice, PayloadFlight& flight) {
        time += dice.between(4.0, 6.0)) {
     Eigen::Vector3d next;
     do {
-      const Eigen::Vector3d way =
-          dice.direction();  // first: compilers order a product as they like
+      // By itself: compilers order the factors of a product as they like.
+      const Eigen::Vector3d way = dice.direction();
       next = place + dice.between(0.0, 4.0) * way;
     } while (next.z() < kLowest || next.z() > kHighest);
     place = next;

@@ -13,7 +13,7 @@ constexpr double kLargestTurn = 0.005;     // [rad]
 constexpr double kLargestForceBias = 1.0;  // [m/s^2]
 constexpr double kLargestRateBias = 0.1;   // [rad/s]
 
-Eigen::Vector3d within(const Eigen::Vector3d& vector, double most) noexcept {
+Eigen::Vector3d clamped(const Eigen::Vector3d& vector, double most) noexcept {
   return vector.cwiseMax(-most).cwiseMin(most);
 }
 
@@ -33,9 +33,9 @@ void DeadReckoning::correct(const State& state, const Innovation& innovation) no
   if (!felt_) return restart(state);
   const Eigen::Vector3d& turned = innovation.turned;
   const Eigen::Vector3d& gained = innovation.velocity;
-  const Eigen::Vector3d felt = state_.attitude.conjugate() * within(gained, kLargestGain);
-  force_bias_ = within(force_bias_ - kBiasGain * felt, kLargestForceBias);
-  rate_bias_ = within(rate_bias_ - kBiasGain * within(turned, kLargestTurn), kLargestRateBias);
+  const Eigen::Vector3d felt = state_.attitude.conjugate() * clamped(gained, kLargestGain);
+  force_bias_ = clamped(force_bias_ - kBiasGain * felt, kLargestForceBias);
+  rate_bias_ = clamped(rate_bias_ - kBiasGain * clamped(turned, kLargestTurn), kLargestRateBias);
   state_.position += kGain * innovation.position;
   state_.velocity += kGain * gained;
   state_.attitude = state_.attitude * turn(turned, kGain);

@@ -32,15 +32,13 @@ const std::array<RuleText, 22>& guardRules() noexcept {
        "it forgets, land"},
       {Rule::kRotorLoss, "rotor loss",
        "in the air a moment about x and y that no rotor should give, over `rotor_loss` of a "
-       "hovering "
-       "rotor's for `rotor_loss_time`",
+       "hovering rotor's for `rotor_loss_time`",
        "land"},
       {Rule::kNoLiftOff, "no lift-off", "not 5 cm up within `lift_off_time`", "disarm"},
       {Rule::kTouchDown, "touch-down", "landing, and no sinking for `touch_down_time`", "disarm"},
       {Rule::kTipped, "tipped over",
        "close to the ground and tilted by `tip_tilt` for `tip_time`; a third of it for a sixth of "
-       "the "
-       "time before lift-off",
+       "the time before lift-off",
        "disarm"},
       {Rule::kTumble, "tumble", "tilted by `tumble_tilt` for `tumble_time`", "disarm"},
       {Rule::kBlindEnd, "blind end", "descended blindly long enough to be down", "disarm"},

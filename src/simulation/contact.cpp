@@ -52,12 +52,7 @@ void Contact::setPayload(const Payload* payload) {
 }
 
 bool Contact::near(const Eigen::Vector3d& position, double margin) const noexcept {
-  const double distance = reach_ + margin;
-  if (ground_ && position.z() < distance) return true;
-  return std::any_of(walls_.begin(), walls_.end(), [&](const Box& wall) {
-    return ((position - wall.min).array() > -distance).all() &&
-           ((wall.max - position).array() > -distance).all();
-  });
+  return isNear(position, reach_ + margin, ground_, walls_);
 }
 
 template <class Visit>

@@ -32,6 +32,16 @@ inline Eigen::Vector3d pushOf(const Penetration& inside, const Eigen::Vector3d& 
   return normal * inside.normal - drag * sliding;
 }
 
+/// Whether the ground, if there is one, or a wall is within `distance` [m] of `position` (W).
+inline bool isNear(const Eigen::Vector3d& position, double distance, bool ground,
+                   const std::vector<Box>& walls) noexcept {
+  if (ground && position.z() < distance) return true;
+  return std::any_of(walls.begin(), walls.end(), [&](const Box& wall) {
+    return ((position - wall.min).array() > -distance).all() &&
+           ((wall.max - position).array() > -distance).all();
+  });
+}
+
 /// Contact of a vehicle and its payload with the flat ground z = 0 (unless there is none, as in a
 /// study of free flight that starts at z = 0) and with walls, at points: four
 /// feet, the hub of every rotor and the payload's four lower corners. Each point pushes back as a

@@ -5,12 +5,10 @@
 namespace aqc::kernel {
 
 bool HangingLoad::arrive(const LoadMotion& motion) noexcept {
-  constexpr double kMostSpeed = 1e4;     // [m/s], [rad/s]: as for the vehicle
-  constexpr double kMostDistance = 1e6;  // [m]
   const double norm = motion.attitude.norm();
-  const bool bearable = motion.position.norm() < kMostDistance &&
-                        motion.velocity.norm() < kMostSpeed &&
-                        motion.body_rate.norm() < kMostSpeed && std::abs(norm - 1.0) < 0.02;
+  const bool bearable =
+      motion.position.norm() < kMostDistance && motion.velocity.norm() < kMostSpeed &&
+      motion.body_rate.norm() < kMostSpeed && std::abs(norm - 1.0) < kMostNormError;
   if (!bearable) return false;  // so is what is not a number
   motion_ = motion;
   motion_.attitude /= norm;

@@ -28,11 +28,7 @@ LoadContact::LoadContact(const Payload& payload, bool point, double crash_speed,
 }
 
 bool LoadContact::near(const Eigen::Vector3d& position) const noexcept {
-  if (ground_ && position.z() < reach_) return true;
-  return std::any_of(walls_.begin(), walls_.end(), [&](const Box& wall) {
-    return ((position - wall.min).array() > -reach_).all() &&
-           ((wall.max - position).array() > -reach_).all();
-  });
+  return isNear(position, reach_, ground_, walls_);
 }
 
 template <class Visit>

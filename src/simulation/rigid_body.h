@@ -25,14 +25,16 @@ struct Motion {
   Motion operator+(const Motion& other) const;
 };
 
+// What a simulation can go on from.
+constexpr double kMostSpeed = 1e4;     // [m/s], [rad/s]
+constexpr double kMostDistance = 1e6;  // [m]
+// RK4's at 2.4 rad a step. Made nearly unit, what has less is unit within 1e-3: a valid State.
+constexpr double kMostNormError = 0.02;
+
 /// Below 1 for a motion that a simulation can go on from: the squares of velocity, body rate,
 /// distance and of half the error of the attitude's squared norm, each over its bound. The last one
 /// says whether a step can follow the spin.
 inline double absurdity(const Motion& motion, double half_norm_error) {
-  constexpr double kMostSpeed = 1e4;     // [m/s], [rad/s]
-  constexpr double kMostDistance = 1e6;  // [m]
-  // RK4's at 2.4 rad a step. Made nearly unit, what has less is unit within 1e-3: a valid State.
-  constexpr double kMostNormError = 0.02;
   constexpr double kPerSpeed = 1.0 / (kMostSpeed * kMostSpeed);
   constexpr double kPerDistance = 1.0 / (kMostDistance * kMostDistance);
   constexpr double kPerNormError = 1.0 / (kMostNormError * kMostNormError);

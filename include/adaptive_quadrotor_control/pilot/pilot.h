@@ -93,9 +93,7 @@ class Pilot {
   double silence() const noexcept { return guarded_ ? guarded_->silence : 0.0; }
 
   bool flying() const noexcept { return controller_.flying(); }
-  /// In the last step.
-  const Load& load() const noexcept { return load_.load(); }
-  /// It has been too much for so long that it is told: see FlightMonitor.
+  /// The load has been too much for so long that it is told: see FlightMonitor.
   bool overloaded() const noexcept { return monitor_.overloaded(); }
   /// Of the last step.
   const Allocation& allocation() const noexcept { return controller_.allocation(); }

@@ -195,8 +195,9 @@ void Composite::adapt(const Achieved& achieved, double dt) noexcept {
     const Eigen::Vector3d before = inertia_.value();
     const Eigen::Vector3d spin = before.cwiseProduct(rate_);
     inertia_.update(rate_, mean_moment_ - rate_.cross(spin), mass_.mass(), rate_elapsed_);
-    if (kept < 1.0 - dt / kShedding)
+    if (kept < 1.0 - dt / kShedding) {
       moment_.shrink(inertia_.value().cwiseQuotient(before).cwiseMin(1.0));
+    }
   } else if (!follows_) {
     inertia_.restart();
   }

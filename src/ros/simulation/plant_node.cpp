@@ -19,6 +19,13 @@ namespace {
 // The simulated clock begins here: ROS takes zero for "no time yet".
 constexpr Nanoseconds kClockStart = 1'000'000'000;
 
+// Of the payload's centre from the vehicle's origin, in B [m]; it may swing.
+Eigen::Vector3d payloadOffset(const Plant& plant) {
+  if (plant.payload()->rigid()) return plant.payload()->offset;
+  const State state = plant.state();
+  return state.attitude.conjugate() * (plant.payloadMotion().position - state.position);
+}
+
 // In lock step the clock stands still until a command comes; where it races, messages are no faster
 // for it. The scenario knows better.
 Nanoseconds defaultCommandTimeout(const World& world, const Pacer::Pace& pace) {
@@ -186,17 +193,6 @@ void PlantNode::publishOdometry(const OdometryMessage& message) {
   tells_ = true;
   odometry_publisher_.publish(toOdometry(message.state, message.stamp));
 }
-
-namespace {
-
-// Of the payload's centre from the vehicle's origin, in B [m]; it may swing.
-Eigen::Vector3d payloadOffset(const Plant& plant) {
-  if (plant.payload()->rigid()) return plant.payload()->offset;
-  const State& state = plant.state();
-  return state.attitude.conjugate() * (plant.payloadMotion().position - state.position);
-}
-
-}  // namespace
 
 void PlantNode::publishTransforms(const ros::Time& stamp) {
   transform_stamp_ = stamp;
